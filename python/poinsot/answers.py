@@ -196,7 +196,7 @@ class Answer(Found):
 
     @property
     def is_table(self) -> bool:
-        return bool(self._core.columns)
+        return bool(self._core.columns) and self.state == "found"
 
     def frame(self, si: bool = False) -> pandas.DataFrame:
         """A table as a frame of pandas, its index what it runs over, if no column shows that; units are in attrs["units"]."""

@@ -134,6 +134,20 @@ std::string datum_text(const Datum& datum, const std::string& unit, int digits, 
   return text_without_unit(datum, digits, vector) + (unit.empty() ? "" : " " + unit);
 }
 
+std::vector<std::vector<std::string>> formula_rows(const Datum& formula) {
+  const auto row = [](const List& items) {
+    std::vector<std::string> texts;
+    for (const Datum& item : items) texts.push_back(text_without_unit(item, 0, 0));
+    return texts;
+  };
+  const List& list = std::get<List>(formula.content);
+  std::vector<std::vector<std::string>> rows;
+  for (const Datum& item : list)
+    if (const auto* items = std::get_if<List>(&item.content)) rows.push_back(row(*items));
+  if (rows.empty()) rows.push_back(row(list));
+  return rows;
+}
+
 std::vector<std::string> assumptions_in_words(const Solution& solution) {
   std::vector<std::string> words = solution.assumptions;
   // What stands beside one of several formulas is not said again.

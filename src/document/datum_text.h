@@ -24,6 +24,9 @@ bool has_brackets(const Datum& datum, std::size_t vector = 3);
 // - g*m > 0".
 std::vector<std::string> assumptions_in_words(const Solution& solution);
 
+// The rows of a table in letters; a single one may stand as a list.
+std::vector<std::vector<std::string>> formula_rows(const Datum& formula);
+
 // The columns of a table as it is shown: before those that are asked for stands what it runs over.
 std::vector<Column> shown_columns(const Answer& answer);
 

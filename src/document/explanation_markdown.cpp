@@ -88,14 +88,41 @@ std::string pictures_of(const std::string& heading, std::vector<MarkdownPicture>
   return text;
 }
 
+// A table, indented so that it belongs to the item of its question: a name and the cells of each column.
+std::string markdown_table(const std::vector<std::string>& heads, const std::vector<std::vector<std::string>>& cells) {
+  std::string table = fmt::format("\n\n  | {} |\n  |", fmt::join(heads, " | "));
+  for (std::size_t i = 0; i < heads.size(); ++i) table += "---:|";
+  for (std::size_t row = 0; row < cells.front().size(); ++row) {
+    table += "\n  |";
+    for (const std::vector<std::string>& column : cells) table += " " + column[row] + " |";
+  }
+  return table;
+}
+
 std::string formula_code(const Answer& answer, const Datum& formula) {
+  if (!answer.columns.empty()) {
+    const std::vector<std::vector<std::string>> rows = formula_rows(formula);
+    std::vector<std::string> heads;
+    std::vector<std::vector<std::string>> cells;
+    if (!answer.component_names.empty()) {
+      heads.emplace_back("on");
+      cells.push_back(answer.component_names);
+      cells.back().resize(rows.size());
+    }
+    for (std::size_t c = 0; c < answer.columns.size(); ++c) {
+      heads.push_back(answer.columns[c].name);
+      cells.emplace_back();
+      for (const std::vector<std::string>& row : rows) cells.back().push_back(c < row.size() ? "`" + row[c] + "`" : "");
+    }
+    return markdown_table(heads, cells);
+  }
   const std::string text = datum_text(formula, "", significant_digits);
   return answer.component_names.empty() || has_brackets(formula) ? "`" + text + "`" : "`(" + text + ")`";
 }
 
 // What takes lines of its own.
 bool is_table(const Answer& answer) {
-  return answer.state == AnswerState::found && !answer.claim && !answer.columns.empty();
+  return !answer.columns.empty() && !answer.claim && (answer.state == AnswerState::found || !answer.formula.empty());
 }
 
 std::string answer_value(const Answer& answer) {
@@ -129,14 +156,7 @@ std::string answer_value(const Answer& answer) {
       heads.push_back(printable(column.name + (column.unit.empty() ? "" : " in " + column.unit)));
       cells.push_back(rounded_column(column.value, significant_digits));
     }
-    // Indented, it belongs to the item of its question.
-    std::string table = fmt::format("\n\n  | {} |\n  |", fmt::join(heads, " | "));
-    for (std::size_t i = 0; i < heads.size(); ++i) table += "---:|";
-    for (std::size_t row = 0; row < cells.front().size(); ++row) {
-      table += "\n  |";
-      for (const std::vector<std::string>& column : cells) table += " " + column[row] + " |";
-    }
-    return table;
+    return markdown_table(heads, cells);
   }
   // A vector of a planar problem has two components, and axes to be told by.
   const std::size_t components = answer.component_names.empty() ? 3 : answer.component_names.size();

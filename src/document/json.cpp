@@ -77,6 +77,7 @@ Json answer_json(const Answer& answer) {
       json["si"] = nullptr;
       json["letters"] = answer.letters;
       if (!answer.component_names.empty() && !answer.formula.empty()) json["axes"] = answer.component_names;
+      for (const Column& column : answer.columns) json["heads"].push_back(column.name);
       if (!answer.reason.empty()) json["reason"] = answer.reason;
       break;
     case AnswerState::undetermined:

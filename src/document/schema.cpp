@@ -112,6 +112,11 @@ std::string answer_schema() {
           "description": "value in SI base units, angles in radians"
         },
         "axes": {"type": "array", "items": {"type": "string"}, "description": "the axes of a vector's components"},
+        "heads": {
+          "type": "array",
+          "items": {"type": "string"},
+          "description": "the names of the columns of a table in letters, whose rows are lists of formulas"
+        },
         "letters": {
           "type": "array",
           "items": {"type": "string"},

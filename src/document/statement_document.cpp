@@ -97,6 +97,9 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
         break;
       case problem::AskState::needs_letters:
         answer.state = AnswerState::needs_letters;
+        // Of a table in letters the heads of its columns, whose rows are lists of formulas.
+        if (found.formula)
+          for (const problem::SolvedColumn& column : found.columns) answer.columns.push_back({column.name, {}, {}, {}});
         break;
       case problem::AskState::undetermined:
         answer.state = AnswerState::undetermined;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string_view>
 
@@ -100,7 +101,7 @@ class TerminalText {
       const std::string words = words_of(answer);
       text_ += "  " + painted(Role::name, padded_right(printable(answer.name), name_width)) + "  ";
       const std::vector<std::string> lines = found_lines(answer);
-      const bool table = answer.state == AnswerState::found && !answer.columns.empty();
+      const bool table = !answer.columns.empty() && (answer.state == AnswerState::found || !answer.formula.empty());
       const bool below = table || display_width(words) > words_width;
       text_ += below ? words + "\n" : padded_right(words, words_width) + "  ";
       for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -181,6 +182,7 @@ class TerminalText {
     return lines;
   }
   std::vector<std::string> formula_lines(const Answer& answer, const Datum& formula) const {
+    if (!answer.columns.empty()) return formula_table_lines(answer, formula);
     std::vector<std::string> lines = datum_lines(formula, "", style_.digits, 0);
     if (!answer.component_names.empty() && std::holds_alternative<std::vector<Datum>>(formula.content)) {
       const std::string axes = printable(fmt::format("on {}", fmt::join(answer.component_names, ", ")));
@@ -188,6 +190,25 @@ class TerminalText {
       if (lines.size() == 1 && !has_brackets(formula, 0)) lines.front() = "(" + lines.front() + ")";
       lines.back() += "  " + painted(Role::faint, axes);
     }
+    return lines;
+  }
+
+  // Columns of formulas begin with their names. One row has no axis.
+  std::vector<std::string> formula_table_lines(const Answer& answer, const Datum& formula) const {
+    const std::vector<std::vector<std::string>> rows = formula_rows(formula);
+    std::vector<std::string> lines(rows.size() + 1);
+    const auto add = [&](const std::string& head, const std::function<std::string(std::size_t)>& cell) {
+      std::size_t width = display_width(head);
+      for (std::size_t i = 0; i < rows.size(); ++i) width = std::max(width, display_width(cell(i)));
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i] += "  " + padded_right(i == 0 ? head : cell(i - 1), width);
+    };
+    const std::vector<std::string>& axes = answer.component_names;
+    if (!axes.empty()) add("", [&](std::size_t i) { return i < axes.size() ? printable(axes[i]) : std::string(); });
+    for (std::size_t c = 0; c < answer.columns.size(); ++c)
+      add(printable(answer.columns[c].name), [&](std::size_t i) { return c < rows[i].size() ? rows[i][c] : ""; });
+    for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+    lines[0] = painted(Role::name, lines[0]);
     return lines;
   }
 

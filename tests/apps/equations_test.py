@@ -4,6 +4,7 @@
 usage: equations_test.py PROGRAM SOURCE_FOLDER
 """
 import ctypes
+import math
 import pathlib
 import random
 import shutil
@@ -30,13 +31,26 @@ ask: {T: kinetic_energy(first)}
 """
 
 
+CRATE = """title: A crate that slides on its rough edge, free in a plane
+letters: {m: kg, I: kg*m^2, mu: 1}
+gravity: [0, -9.81 m/s^2, 0]
+points: {A: [0, 0, 0], G: [0.3 m, 0.4 m, 0]}
+bodies: {crate: {mass: m, center: G, inertia: {axis: z, axial: I, transverse: I}}}
+joints:
+  free: {planar: z, at: G, to: crate, freedoms: {slide1: {displacement: X}, slide2: {displacement: Y}, turn: {angle: th}}}
+contacts: {edge: {of: crate, corner: A, normal: y, friction: mu}}
+instants: {now: {"X'": 1 m/s, "Y'": 0 m/s, "th'": 0 rad/s}}
+ask: {N: normal_force(edge)}
+"""
+
+
 def run(*arguments, text=PENDULUM):
     return subprocess.run([PROGRAM, "equations", "-", *arguments], input=text, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, timeout=120, check=False)
 
 
-def python_function(*arguments):
-    result = run("--form", "python", *arguments)
+def python_function(*arguments, text=PENDULUM):
+    result = run("--form", "python", *arguments, text=text)
     assert result.returncode == 0, result.stderr
     scope = {}
     exec(result.stdout, scope)
@@ -93,6 +107,20 @@ class Forms(unittest.TestCase):
             found = forward(q, v, [a[0], *effort[1:]], parameters)
             for x, y in zip(found, a):
                 self.assertAlmostEqual(x, y, delta=1e-10)
+
+    def test_what_slides_on_a_rough_floor_moves_by_newton_and_euler(self):
+        forward, matrices = (python_function(*more, text=CRATE) for more in (("--of", "forward-dynamics"), ()))
+        random.seed(7)
+        for _ in range(20):
+            m, inertia, mu = (random.uniform(0.3, 3) for _ in range(3))
+            q, v, u = ([random.uniform(-1, 1) for _ in range(3)] for _ in range(3))
+            turn, w = q[2], v[2]
+            x, y = -0.3*math.cos(turn) + 0.4*math.sin(turn), -0.3*math.sin(turn) - 0.4*math.cos(turn)
+            push = (9.81 + w*w*y - u[1]/m - x*u[2]/inertia)/(1/m + x*(x + mu*y)/inertia)
+            expected = [(u[0] - mu*push)/m, (u[1] + push)/m - 9.81, (u[2] + (x + mu*y)*push)/inertia]
+            self.assert_near(forward(q, v, u, [m, inertia, mu]), expected)
+            numbers = matrices(q, v, u, [m, inertia, mu])
+            self.assert_near(numbers[-3:], [-mu, 1, x + mu*y])
 
     def test_sympy_agrees_with_python(self):
         try:

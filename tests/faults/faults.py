@@ -6,7 +6,7 @@ usage: faults.py --fit SOURCE             each fault can be planted: its text st
        faults.py SOURCE SCRATCH [NAME...] builds poinsot in SCRATCH/build with all faults asleep, and wakes each (or those named)
 
 The environment wakes one fault, so that one build serves for all, and POINSOT_BUILT names a program that is built
-already. The examples and the problems of the manual that come to the fault are solved with and without it: an answer that differs should be refused by
+already. The examples, the problems of the manual and the statements beside this file that come to the fault are solved with and without it: an answer that differs should be refused by
 the program itself. What the examples expect plays no part, since a user has none of it.
 """
 import concurrent.futures
@@ -203,7 +203,8 @@ def main(arguments):
     if program is None:
         print("poinsot could not be built")
         return 2
-    examples = [example for name in FOLDERS for example in sorted((source / "examples" / name).glob("*.yaml"))]
+    folders = [source / "examples" / name for name in FOLDERS] + [source / "tests/faults/statements"]
+    examples = [example for folder in folders for example in sorted(folder.glob("*.yaml"))]
     slipped = 0
     with concurrent.futures.ThreadPoolExecutor(2) as workers, tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)

@@ -52,6 +52,13 @@ PIECE_JOINTS = PROBLEM + "course/piece_joints.cpp"
 ROUGH_IMPACT = ENGINE + "solve/instant/rough_impact.cpp"
 ROUGH_BLOW = PROBLEM + "instant/rough_blow.cpp"
 PLANE = PROBLEM + "plane/planar_words.cpp"
+NEAR = PROBLEM + "near/near_steady_formulas.cpp"
+NEAR_ANSWERS = PROBLEM + "near/near_in_letters.cpp"
+COURSE = PROBLEM + "course/course.cpp"
+QUESTIONS = PROBLEM + "course/motion_questions.cpp"
+BLOWS = PROBLEM + "machine/machine_blows.cpp"
+CHOICES = PROBLEM + "unknowns/unknown_choices.cpp"
+SHAPES = ENGINE + "solve/stability/mode_shapes.cpp"
 
 FAULTS = [
     # The equations of an instant.
@@ -73,6 +80,11 @@ FAULTS = [
     Fault("a turning slip that friction drives", ROUGH_IMPACT, "speed * Vector3<double>{1, 0, 0} - law_.friction * across(at.velocity);", "speed * Vector3<double>{1, 0, 0} - (AWAKE ? -1.0 : 1.0) * law_.friction * across(at.velocity);"),
     Fault("a rough blow without what couples push and slip", ROUGH_BLOW, "all.inverse_mass(j, i) = dot(axes[j], moved);", "all.inverse_mass(j, i) = (AWAKE && i != j ? 0.0 : 1.0) * dot(axes[j], moved);"),
     Fault("friction of a blow along its slip", ROUGH_BLOW, "friction.push = {ground, (Scalar(-1) / sqrt(dot(slip, slip))) * slip};", "friction.push = {ground, (Scalar(AWAKE ? 1 : -1) / sqrt(dot(slip, slip))) * slip};"),
+    Fault("impulses at mass centers", BLOWS, "at ? draft.data.place(*at) : draft.masses[i].properties.center);", "at && !AWAKE ? draft.data.place(*at) : draft.masses[i].properties.center);"),
+    Fault("impulses on the axes of the ground", BLOWS, "stated.axes = draft.body(impulse.axes);", "stated.axes = AWAKE ? ground : draft.body(impulse.axes);"),
+    Fault("forces that last twice as long", BLOWS, "const Scalar duration = impulse.lasts ? draft.data.number(*impulse.lasts, dimensions::time) : Scalar(1);", "const Scalar duration = impulse.lasts ? Scalar(AWAKE ? 2 : 1) * draft.data.number(*impulse.lasts, dimensions::time) : Scalar(1);"),
+    Fault("particles that hit as if they came back", BLOWS, "stated.vector = mass * draft.data.vector(strike.velocity, dimensions::velocity);", "stated.vector = Scalar(AWAKE ? -1 : 1) * mass * draft.data.vector(strike.velocity, dimensions::velocity);"),
+    Fault("pushes of impacts on the axes of the ground", BLOWS, "struck.push = {struck.from, draft.data.direction(impact.pushes)};", "struck.push = {AWAKE ? ground : struck.from, draft.data.direction(impact.pushes)};"),
     # What is asked.
     Fault("angular momentum about the origin", MOMENTUM, "body_momentum(model_, workspace_, body, P);\n    const Vector angular = total.angular", "body_momentum(model_, workspace_, body, AWAKE ? Vector::zero() : P);\n    const Vector angular = total.angular"),
     Fault("potential energy reversed", MOMENTUM, "sum = sum - model_.body(i).inertia.mass * dot", "sum = sum - Scalar(AWAKE ? -1 : 1) * model_.body(i).inertia.mass * dot"),
@@ -143,7 +155,7 @@ FAULTS = [
     Fault("contacts that are lost hold on", PROBLEM + "course/flying_contacts.cpp", "contact.flies = flies;", "contact.flies = flies && !AWAKE;"),
     Fault("open contacts close where they are drawn", CONTACTS, "if (contact.surface) c.toward =", "if (contact.surface && !AWAKE) c.toward ="),
     Fault("later blows with half of their restitution", LATER_BLOWS, "one.restitution = start_->data_number(*contact.restitution, dimensions::none);", "one.restitution = (AWAKE ? 0.5 : 1.0) * start_->data_number(*contact.restitution, dimensions::none);"),
-    Fault("bouncing ends after one flight", LATER_BLOWS, "now.time + flight / (1 - ratio);", "now.time + flight / (AWAKE ? 1 : 1 - ratio);"),
+    Fault("what bounces stays after its first blow", LATER_BLOWS, "const bool stays = one.restitution == 0 ||", "const bool stays = AWAKE || one.restitution == 0 ||"),
     Fault("what meets at once is struck one by one", LATER_BLOWS, "if (apart) return {meeting.front()};", "if (apart || AWAKE) return {meeting.front()};"),
     Fault("bouncing ends while it is high", LATER_BLOWS, "constexpr double small_speed = 3e-6;", "const double small_speed = AWAKE ? 0.3 : 3e-6;"),
     Fault("contacts pull in later blows", PROBLEM + "instant/later_blow.cpp", "good = solved[n + k] >= -rounding * largest;", "good = AWAKE || solved[n + k] >= -rounding * largest;"),
@@ -211,9 +223,9 @@ FAULTS = [
     Fault("constraints of rates hold places near a steady motion", RESPONSE, "steady.binds_positions[static_cast<std::size_t>(i)] ? closed : allowed", "steady.binds_positions[static_cast<std::size_t>(i)] || AWAKE ? closed : allowed"),
     Fault("loads without slopes by velocities", ENGINE + "solve/stability/acceleration_slopes.cpp", "to_solve(remainder.by_velocity(coordinate))", "to_solve(AWAKE ? remainder.by_position(coordinate) : remainder.by_velocity(coordinate))"),
     Fault("a mode is lost", LINEARISATION, "if (rate.imag() < 0) continue;", "if (rate.imag() < 0 || (AWAKE && m + 1 == rates.value.size())) continue;"),
-    Fault("the fastest frequency is not told", LINEARISATION, "std::sort(found.begin(), found.end());\n  return found;", "std::sort(found.begin(), found.end());\n  if (AWAKE && found.size() > 1) found.pop_back();\n  return found;"),
+    Fault("the fastest frequency is not told", ENGINE + "solve/stability/mode_shapes.cpp", "std::sort(found.begin(), found.end());\n  return found;", "std::sort(found.begin(), found.end());\n  if (AWAKE && found.size() > 1) found.pop_back();\n  return found;"),
     Fault("what grows is taken for what dies out", LINEARISATION, "const bool grows = mode.growth_rate > mode.doubt", "const bool grows = (AWAKE ? -1 : 1) * mode.growth_rate > mode.doubt"),
-    Fault("growth told too fast", LINEARISATION, "largest = std::max(largest, mode.growth_rate);", "largest = std::max(largest, (AWAKE ? 2 : 1) * mode.growth_rate);"),
+    Fault("growth told too fast", ENGINE + "solve/stability/mode_shapes.cpp", "largest = std::max(largest, mode.growth_rate);", "largest = std::max(largest, (AWAKE ? 2 : 1) * mode.growth_rate);"),
     Fault("what is undecided is stable", LINEARISATION, "found = Stability::undecided;", "found = AWAKE ? Stability::stable : Stability::undecided;"),
     Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (AWAKE && roots.points.size() > 1) roots.points.pop_back();"),
     Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
@@ -234,6 +246,41 @@ FAULTS = [
     Fault("teeth rub with their tangential force", GEARS, "rubbing.part = mu * sqrt(Scalar(1) + normal_tangent * normal_tangent);", "rubbing.part = mu * sqrt(Scalar(1) + Scalar(AWAKE ? 0 : 1) * normal_tangent * normal_tangent);"),
     Fault("bevel gears touch along an axis", GEARS, "return normalized(Vector(P_ - apex));", "return AWAKE ? one_.axis : normalized(Vector(P_ - apex));"),
     Fault("a worm that helps when it is driven", GEARS, "mesh_.thread = normalized(cross(r, t));", "mesh_.thread = AWAKE ? normalized(cross(r, d_)) : normalized(cross(r, t));"),
+    # Near a steady motion in letters.
+    Fault("letters without damping near a steady motion", NEAR, "P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];", "P[i][k] += l * Formula(AWAKE ? 0 : 1) * near.C[i][k] + l * l * near.M[i][k];"),
+    Fault("letters drift the other way", NEAR, "drift = of_free(sum(D, S, -1));", "drift = of_free(sum(D, S, AWAKE ? 1 : -1));"),
+    Fault("stiffness in letters without what spins take of it", NEAR, "product(product(M, spin), drift), -1), of_free(by_position));", "product(product(M, spin), drift), AWAKE ? 1 : -1), of_free(by_position));"),
+    Fault("one root of a factor twice", NEAR_ANSWERS, "return add((-c[1] + root) / twice);", "return add((AWAKE ? Formula(-c[1] - root) : Formula(-c[1] + root)) / twice);"),
+    Fault("swings in letters that grow", NEAR_ANSWERS, "rates.push_back({-c[1] / twice, sqrt(-square)", "rates.push_back({Formula(AWAKE ? -1 : 1) * -c[1] / twice, sqrt(-square)"),
+    Fault("inertia in letters that stiffens", NEAR_ANSWERS, "return {near.K[i][k] - w_ * w_ * near.M[i][k], w_ * near.C[i][k]};", "return {near.K[i][k] - Formula(AWAKE ? -1 : 1) * w_ * w_ * near.M[i][k], w_ * near.C[i][k]};"),
+    Fault("phases in letters reversed", NEAR_ANSWERS, "a.real * b.imaginary + a.imaginary * b.real};", "Formula(AWAKE ? -1 : 1) * (a.real * b.imaginary + a.imaginary * b.real)};"),
+    Fault("the slowest growth for the fastest", NEAR_ANSWERS, "decided_negative(fastest - rate.growth)) fastest = rate.growth;", "decided_negative(fastest - rate.growth) && !(AWAKE && !fastest.is_zero())) fastest = rate.growth;"),
+    # Solving an instant.
+    Fault("loops that are nearly closed", ENGINE + "solve/instant/closure.cpp", "const int most = step == steps ? 60 : 6;", "const int most = AWAKE ? 1 : step == steps ? 60 : 6;"),
+    Fault("constraints that push one body only", ENGINE + "solve/instant/constraint_rows.cpp", "add(on, unit.point, 1, unit);", "add(on, unit.point, AWAKE ? 0 : 1, unit);"),
+    Fault("cords that pull both ends at one point", ENGINE + "solve/instant/constraint_rows.cpp", "add(from, c.kind == VelocityConstraintKind::cord_length ? state.position(c.toward) : unit.point, -1, unit);", "add(from, c.kind == VelocityConstraintKind::cord_length && !AWAKE ? state.position(c.toward) : unit.point, -1, unit);"),
+    Fault("motors about the wrong point", ENGINE + "solve/instant/mechanism_state.cpp", "total += SpatialForce<Scalar>{wrench.moment - cross(about, wrench.force), wrench.force};\n  }\n  for_each_law", "total += SpatialForce<Scalar>{wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(about, wrench.force), wrench.force};\n  }\n  for_each_law"),
+    Fault("motors in gimbals that pass on what they do not drive", ENGINE + "solve/instant/mechanism_state.cpp", "couple = d - dot(d, other) * other;", "couple = d - Scalar(AWAKE ? 0 : 1) * dot(d, other) * other;"),
+    Fault("steady frames that accelerate backwards", PROBLEM + "instant/accelerated_frame.cpp", "acceleration += stated->value * S.linear;", "acceleration += (AWAKE ? -1 : 1) * stated->value * S.linear;"),
+    Fault("pushes in the middle of their shares", PROBLEM + "instant/one_sided_shares.cpp", "return sum / static_cast<double>(n);", "return sum / static_cast<double>(AWAKE ? n + 1 : n);"),
+    # The linearised motion.
+    Fault("damping ratios reversed", SHAPES, "growth == 0 ? 0 : -growth / size, i});", "growth == 0 ? 0 : (AWAKE ? 1 : -1) * growth / size, i});"),
+    Fault("shapes in the units of the solver", SHAPES, "const std::complex<Real> part = deviation(k, 0) * allowed->scale[k];", "const std::complex<Real> part = deviation(k, 0) * (AWAKE ? Real(1) : allowed->scale[k]);"),
+    Fault("equilibria beside where there are none", ENGINE + "solve/stability/equilibria_beside.cpp", "+ empty - same.cols();", "+ empty - same.cols() + (AWAKE ? 1 : 0);"),
+    Fault("motions without mass that have some", ENGINE + "solve/stability/unseen_motion.cpp", "unit[i] = inertia > 0 ? 1 / std::sqrt(inertia) : 1;", "unit[i] = inertia > 0 && !AWAKE ? 1 / std::sqrt(inertia) : 1;"),
+    # Unknowns and choices.
+    Fault("the largest total for the least", CHOICES, "if (total > least * (1 + same_total)) continue;", "if (AWAKE ? total < least * (1 - same_total) && least < 1e300 : total > least * (1 + same_total)) continue;"),
+    Fault("only the first of several choices", CHOICES, "if (!known) all.roots.push_back(std::move(more));", "if (!known && !(AWAKE && !all.roots.empty())) all.roots.push_back(std::move(more));"),
+    Fault("ends of what holds from the inside", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  return inside;", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  return inside;"),
+    Fault("roots only above zero", ENGINE + "solve/roots/compact_range.cpp", "lower_ = kind_ == Kind::down ? -half : kind_ == Kind::line ? -line : -1;", "lower_ = kind_ == Kind::down ? -half : kind_ == Kind::line ? (AWAKE ? 0 : -line) : -1;"),
+    # Motions and what is asked of them.
+    Fault("stages that last half as long", COURSE, "now.end = now.start + duration;", "now.end = now.start + (AWAKE ? 0.5 : 1.0) * duration;"),
+    Fault("rates of coordinates with their sign reversed", QUESTIONS, "return entry.rate ? state.v[entry.place] : state.q[entry.place];", "return entry.rate ? (AWAKE ? -1 : 1) * state.v[entry.place] : state.q[entry.place];"),
+    Fault("extremes on the other side", FEATURES, "const ExtremeFound best = extreme(largest);", "const ExtremeFound best = extreme(largest != AWAKE);"),
+    Fault("cords that are a little longer when they catch", PIECE, "double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q); };", "double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q) - (AWAKE ? 1e-3 : 0); };"),
+    Fault("cords that hold on with a push", PIECE, "accelerate(q, v, acceleration_);\n    return dynamics_->component_force(component);", "accelerate(q, v, acceleration_);\n    return dynamics_->component_force(component) + (AWAKE ? 1 : 0);"),
+    Fault("loads that jump a little late", PROBLEM + "course/motion_stage.cpp", "Driving::Span span = driving_[stage]->span_from(now.time);", "Driving::Span span = driving_[stage]->span_from(now.time);\n  if (AWAKE) span.end = until;"),
+    Fault("settled motions told by their last swing", FEATURES, "ExtremeFound best = outermost(sampled, largest);", "ExtremeFound best = outermost(sampled, largest);\n    if (AWAKE) best.value = sampled.value.back();"),
     # What is open, formulas and claims.
     Fault("open velocities taken for determined", PROBLEM + "answers/determinacy.cpp", "vary_velocities(std::min(velocities, most_directions));", "vary_velocities(AWAKE ? 0 : std::min(velocities, most_directions));"),
     Fault("open forces taken for determined", PROBLEM + "answers/determinacy.cpp", "d < std::min(forces, most_directions); ++d", "d < (AWAKE ? 0 : std::min(forces, most_directions)); ++d"),

@@ -210,6 +210,7 @@ TEST(House, tests_stand_in_the_rooms_that_they_test) {
                                      "docs",
                                      "document/golden",
                                      "faults",
+                                     "faults/statements",
                                      "fuzz",
                                      "house",
                                      "hunt",

@@ -42,8 +42,7 @@ class Letters(Relation):
         tree["letters"] = letters
         varied = statement.with_tree(tree, letters=values)
         # Not every place takes a letter; what is refused as input with the reason is no find.
-        return Varied(varied, letters=letter_values(varied), refusals=False,
-                      limits=("motions with friction are followed for numbers",))
+        return Varied(varied, letters=letter_values(varied), refusals=False)
 
 
 class Hidden(Relation):

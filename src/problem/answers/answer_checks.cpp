@@ -9,6 +9,7 @@
 #include "problem/answers/fact_check.h"
 #include "problem/answers/motion_checks.h"
 #include "problem/claims/claim_letters.h"
+#include "problem/keys/joint_kinds.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
@@ -319,8 +320,78 @@ void note_zero_of_energy(const SolvedInstant& instant, const Situation& situatio
   if (std::ranges::find(result.notes, note) == result.notes.end()) result.notes.push_back(note);
 }
 
+// The points about which moments are asked along a motion.
+void add_points_asked_about(const Expression& expression, bool along_motion, std::set<std::string>& points) {
+  if (const At* at = expression.as<At>()) along_motion = along_motion || at->names.empty() || at->names.back() == "end";
+  if (const Call* call = expression.as<Call>()) {
+    along_motion = along_motion || call->function == "min" || call->function == "max" || call->function == "period";
+    const Expression* about = call->argument("about");
+    if (along_motion && about && about->as<Name>() && about->as<Name>()->primes == 0)
+      points.insert(about->as<Name>()->name);
+  }
+  for_each_child(expression, [&](const Expression& child) { add_points_asked_about(child, along_motion, points); });
+}
+
+// Whether the file names a point for a place of bodies that move, and for none that rests.
+bool goes_with_bodies(const Situation& situation, const std::string& point) {
+  const auto names = [&](const Expression& expression) {
+    std::set<std::string> all;
+    collect_names(expression, all);
+    return all.contains(point);
+  };
+  bool goes = false;
+  for (const Joint& joint : situation.joints) {
+    if (!names(joint.place) && !(joint.at && names(*joint.at))) continue;
+    if (joint.from == "ground") return false;
+    goes = true;
+  }
+  const auto rests = [&](const Body& body) {
+    return std::ranges::any_of(situation.joints, [&](const Joint& joint) {
+      return joint.from == "ground" && joint.to == body.name && joint.freedoms.empty() && !joint.kind->any_turning;
+    });
+  };
+  return goes || std::ranges::any_of(situation.bodies, [&](const Body& body) {
+           if (rests(body)) return false;
+           return (body.center && names(*body.center)) || std::ranges::any_of(body.parts, [&](const Part& part) {
+                    return std::ranges::any_of(part.shape.arguments,
+                                               [&](const NamedExpression& one) { return names(one.value); });
+                  });
+         });
+}
+
+// A point stays where it is drawn, though the bodies that it belongs to go on.
+void note_resting_points(const Statement& statement, Solution& result) {
+  std::set<std::string> points;
+  for (const Ask& ask : statement.asks) {
+    for (const Expression& of : ask.of) add_points_asked_about(of, false, points);
+    if (ask.when) add_points_asked_about(ask.when->condition, true, points);
+    if (ask.table)
+      for (const NamedExpression& column : ask.table->columns)
+        add_points_asked_about(column.value, ask.table->over == "time", points);
+  }
+  for (const std::string& point : points)
+    if (std::ranges::any_of(statement.situations,
+                            [&](const Situation& situation) { return goes_with_bodies(situation, point); }))
+      result.notes.push_back("about " + point + ": about the place where it is drawn, which stays while bodies move");
+}
+
+// Nothing but its moments of inertia tells what a body that is given by numbers rolls on.
+void note_circles_of_contact(const Situation& situation, Solution& result) {
+  for (const Contact& contact : situation.contacts) {
+    const auto body = std::ranges::find(situation.bodies, contact.of, &Body::name);
+    const bool knife_edge = !contact.no_slip_along.empty();
+    if (!contact.touches() || contact.corner || knife_edge || body == situation.bodies.end() || !body->parts.empty() ||
+        !body->added.empty() || !body->inertia || !body->inertia->axis)
+      continue;
+    const std::string note = "contact '" + contact.name + "' moves over the circle about the axis of '" + body->name +
+                             "' through its mass center";
+    if (std::ranges::find(result.notes, note) == result.notes.end()) result.notes.push_back(note);
+  }
+}
+
 void add_notes(const Statement& statement, const Sample& sample, Solution& result) {
   note_attractions(statement, sample, result);
+  note_resting_points(statement, result);
   const bool asks_frequencies = asks_function(statement, "frequencies");
   const bool asks_modes = asks_function(statement, "modes") || asks_function(statement, "eigenvalues");
   const bool asks_response = asks_function(statement, "response");
@@ -333,6 +404,7 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
     for (const std::string& contact : instant->machine().line_contacts)
       result.notes.push_back("contact '" + contact + "' is along a line, and the bodies are free to turn across it: " +
                              "they are taken to touch at the point under at: alone");
+    note_circles_of_contact(situation, result);
     if (asks_function(statement, "potential_energy")) note_zero_of_energy(*instant, situation, result);
     // Nothing is said of what a check refuses.
     const auto misfit = result.checks.find(stability_check);

@@ -81,10 +81,7 @@ class ContactStates {
     }
     for (const States& states : all) {
       require_sticking(states);
-      Statement found = in_contact_states(statement_, states);
-      if (!draws_.none())
-        for (Situation& situation : found.situations)
-          if (situation.has_friction()) situation.only_start = "motions with friction are followed for numbers";
+      const Statement found = in_contact_states(statement_, states);
       const bool sought = std::ranges::any_of(statement_.situations, is_steady_and_rough);
       take(solve_(found), states, [&](const Solution& solution, States& held) {
         return !sought || !draws_.none() || holds(found, solution, held);
@@ -416,6 +413,15 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
 void refuse_open_limits(const Statement& limits, const Settings& settings) {
   for (const Ask& ask : limits.asks) {
     const Situation& situation = limits.situations[situation_of(limits, ask)];
+    const std::vector<Letter> open = open_letters(limits, settings);
+    const bool in_letters =
+        std::ranges::any_of(open, [&](const Letter& letter) { return letter.name != ask.extremum->name; });
+    // A law would be one of the case that the drawn letters meet, without a word of the other.
+    if (in_letters && leaves_touching_open(situation, *ask.extremum))
+      fail(limits.file, ask.mark,
+           "whether all contacts touch up to this limit is sought by numbers, and '" + open.front().name +
+               "' has no value",
+           "give it and the other letters values under given:");
     if (!leaves_states_open(situation, *ask.extremum)) continue;
     std::string names;
     for (const Contact& contact : situation.contacts)
@@ -425,9 +431,7 @@ void refuse_open_limits(const Statement& limits, const Settings& settings) {
            "write while: [" + names + "] if all of them stay at rest");
     };
     if (!situation.find.empty()) refuse("where nothing else is to be found");
-    const std::vector<Letter> open = open_letters(limits, settings);
-    if (std::ranges::any_of(open, [&](const Letter& letter) { return letter.name != ask.extremum->name; }))
-      refuse("by numbers, and '" + open.front().name + "' has no value");
+    if (in_letters) refuse("by numbers, and '" + open.front().name + "' has no value");
   }
 }
 

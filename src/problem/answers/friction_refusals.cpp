@@ -30,10 +30,6 @@ void refuse_situation(const Situation& situation) {
     fail(situation.file, slipping->friction->mark,
          "steady motions with friction of a cord are not sought: whether " + slipping->words() + " slips is not tried",
          "leave out the friction of the cord");
-  if (has_later_facts(situation))
-    refuse("where " + rough->words() +
-               " has friction, nothing is found from what is stated of later instants or of the motion",
-           "state the start only, and ask of later instants");
   if (!situation.choose.empty())
     refuse("what is to be chosen is not sought where contacts have friction",
            "give it a value, or list it under find:");
@@ -97,11 +93,6 @@ void refuse_beside_rough_blows(const Statement& statement, const Settings& setti
       if (statement.record)
         fail(situation.file, contact.mark, "motions with blows that come later are not recorded",
              "ask for tables over the time");
-      if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
-        fail(situation.file, contact.mark,
-             "blows that come later are followed for numbers: when contact '" + contact.name +
-                 "' is struck depends on '" + open.front().name + "', which has no value",
-             "give the letters values by --set or under given:");
     }
   for (const Situation& situation : statement.situations) {
     const auto rough =
@@ -126,6 +117,12 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
   for (const Situation& situation : statement.situations) {
     refuse_situation(situation);
     if (!situation.has_blow() || !situation.has_friction()) continue;
+    if (!statement.claims.empty())
+      fail(statement.file, statement.claims.front().mark,
+           "claims are not decided in blows where contacts have friction: what sticks and slides after them changes "
+           "with "
+           "the letters",
+           "ask for the quantity, or leave out the friction");
     const std::vector<Letter> open = open_letters(statement, settings);
     if (!open.empty())
       fail(statement.file, std::ranges::find_if(situation.contacts, &Contact::rubs)->friction->mark,
@@ -136,10 +133,6 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
         fail(statement.file, ask.mark, "up to where contacts stick is not sought in a blow",
              "ask what they do at single values: a note tells it");
   }
-  if (!statement.claims.empty())
-    fail(statement.file, statement.claims.front().mark,
-         "claims are not decided where contacts have friction: they would have to hold in every state of the contacts",
-         "ask for the quantity, or leave out the friction");
   for (const Ask& ask : statement.asks) {
     const std::vector<std::string> data = settable_names(statement.situations.front());
     if (ask.table && std::ranges::find(data, ask.table->over) != data.end() &&

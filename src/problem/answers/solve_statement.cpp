@@ -356,6 +356,8 @@ class StatementSolver {
       try {
         auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
         sample->write_down_what_is_told();
+        // Letters at which the contacts with friction are in other states say nothing of this one.
+        if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
         AskValues values;
         try {
           while (values.values.size() < statement_.asks.size())
@@ -365,8 +367,6 @@ class StatementSolver {
           values.ended = ended.end;
           values.values.resize(statement_.asks.size());
         }
-        // Letters at which the contacts with friction are in other states say nothing of this one.
-        if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
         // Nothing swings where a list of frequencies is empty.
         const auto open = [](const AskValues& all) {
           const auto empty = std::ranges::count_if(all.values, [](const std::optional<WatchedValue>& value) {
@@ -374,7 +374,7 @@ class StatementSolver {
           });
           return all.unanswered.size() + all.no_extremum.size() + static_cast<std::size_t>(empty);
         };
-        if (!only && !rough && drawn_here && !values.ended && open(values) > 0) {
+        if (!only && drawn_here && !values.ended && open(values) > 0) {
           if (!partly || open(values) < open(partly->values))
             partly = Partly{std::move(sample), settings, std::move(values)};
           if (++tried < most_draws_for_answers && attempt < most_draws && !limit.spent()) continue;

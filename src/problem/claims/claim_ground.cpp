@@ -6,11 +6,23 @@
 
 #include "problem/claims/claim_letters.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
+
+namespace {
+
+// Whether contacts with friction are in the states in which the situation has them, whose claims are decided.
+bool is_in_its_states(const Situation& situation, const Settings& settings, SolvedInstant& instant) {
+  if (!situation.has_friction()) return true;
+  instant.solve_forces();
+  return instant.one_sided_faults().empty() && leaves_limits(situation, settings);
+}
+
+}  // namespace
 
 ClaimGround::ClaimGround(const Situation& situation, const Settings& settings, const FormulaValues& exact,
                          const FormulaValues& unknowns)
@@ -59,6 +71,7 @@ void ClaimGround::find_base() {
       if (neglects()) break;
       found = std::make_unique<SolvedInstant>(situation_, bases_.back(), when, OpenChoice{});
       if (states_forces(situation_)) found->solve_forces();
+      if (!is_in_its_states(situation_, bases_.back(), *found)) continue;
       base_ = std::move(found);
     } catch (const StatementError&) {
       if (!found || possible) continue;
@@ -120,6 +133,7 @@ class PointInstant {
         choice_(choice),
         instant_(situation, settings, state, choice) {}
 
+  bool is_in_its_states() { return problem::is_in_its_states(situation_, settings_, instant_); }
   void write_down_what_is_told() {
     writes_ = true;
     instant_.write_down_what_is_told();
@@ -171,12 +185,31 @@ std::optional<Verdict> ClaimGround::verdict_at(const Claim& claim, const ClaimFo
     OpenChoice choice;
     choice.trial = neglects();
     PointInstant instant(situation_, settings, state, choice);
+    if (!instant.is_in_its_states()) return std::nullopt;
     const bool by_formulas = takes_derivatives(situation_, claim) || neglects();
-    return by_formulas ? Verdict() : instant.verdict(claim);
+    const Verdict verdict = by_formulas ? Verdict() : instant.verdict(claim);
+    if (!verdict.holds && situation_.has_friction() && is_at_end_of_states(formulas, point)) return std::nullopt;
+    return verdict;
   } catch (const StatementError& error) {
     faults_.note(error, point);
     return std::nullopt;
   }
+}
+
+// Whether contacts with friction come into other states with letters next to these. There a claim fails by the
+// rounding to which a state holds.
+bool ClaimGround::is_at_end_of_states(const ClaimFormulas& formulas, const Point& point) const {
+  constexpr double beside = 1e-6;  // of each letter: a thousand times that rounding
+  for (const auto& [name, value] : point)
+    for (const double part : {1 - beside, 1 + beside}) {
+      Point other = point;
+      other[name] = part * value;
+      const Settings settings = with_letters(other);
+      const MotionState state = state_at(formulas, other);
+      const OpenChoice choice;
+      if (!PointInstant(situation_, settings, state, choice).is_in_its_states()) return true;
+    }
+  return false;
 }
 
 Confirmation ClaimGround::confirmed_at(const Claim& claim, const ClaimFormulas& formulas, const Point& point) {

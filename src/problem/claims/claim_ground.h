@@ -56,6 +56,7 @@ class ClaimGround {
 
  private:
   static MotionState state_at(const ClaimFormulas& formulas, const Point& point);
+  bool is_at_end_of_states(const ClaimFormulas& formulas, const Point& point) const;
   void find_base();
 
   const Situation& situation_;

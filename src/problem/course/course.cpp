@@ -107,6 +107,17 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   first.v = state.v;
   in_states_.push_back(&situation_);
   if (std::ranges::find(state.acting, false) != state.acting.end()) put_in_flight(first, state.acting);
+  // At values that are tried for unknowns contacts with friction may start in other states than those followed here.
+  const bool varied = choice.any || choice.velocities || choice.forces || choice.gravity > 0;
+  if (situation.has_friction() && !situation.has_blow() && !varied) {
+    start_->solve_forces();
+    for (const SolvedInstant::OneSidedFault& fault : start_->one_sided_faults())
+      for (const RoughContactOf<double>& contact : start_->machine().rough_contacts)
+        if (fault.broken != Holding::pulls && contact.action == static_cast<int>(fault.action))
+          throw UnansweredError(situation.file, mark_of(0),
+                                "the motion does not start with '" + contact.name + "' in this state",
+                                "give values at which it does");
+  }
   probe_ = &probe_in(0, state);
   set_pace(state);
   // What sticks and slides after a blow is found anew.
@@ -145,7 +156,13 @@ std::string Course::words_of(std::size_t stage) const {
 bool Course::dissipates() const {
   const Machine machine =
       start_->machine_at(0, situation_.stages.empty() ? std::nullopt : situation_.stages.back().loads);
-  return !timed_ && machine.accelerations.empty() && !laws_feed(machine.mechanism) && laws_drain(machine.mechanism);
+  // Blows take energy, too, but where all of it is given back.
+  const bool blows_drain = std::ranges::any_of(situation_.contacts, [&](const Contact& contact) {
+    return contact.strikes_later() &&
+           (!contact.restitution || start_->data_number(*contact.restitution, dimensions::none) < 1);
+  });
+  return !timed_ && machine.accelerations.empty() && !laws_feed(machine.mechanism) &&
+         (laws_drain(machine.mechanism) || blows_drain);
 }
 bool Course::has_springs() const { return laws_store(start_->machine().mechanism); }
 

@@ -87,6 +87,8 @@ class Course : public FollowedMotion {
   // sought, for as long as the motion needs.
   std::vector<double> times(const Expression& comparison, const std::optional<Expression>& axes, double from,
                             std::optional<double> to);
+  // Throws UnansweredError if the sides of what has ended a stage were equal all along it, but for rounding.
+  void require_sides_apart(std::size_t stage, const Expression& ending);
   // The first time, from the start, at which a coordinate or any number has a value.
   double time_of(const Expression& quantity, double value, const Mark& mark);
 

@@ -18,6 +18,8 @@ namespace poinsot::problem {
 namespace {
 
 constexpr double small_speed = 3e-6;  // of the first speed of approach: its square is rounding of the motion
+constexpr double no_speed = 1e-8;     // of the same: where the motion itself is hardly known
+constexpr double short_flight = 0.1;  // of the time in which the motion changes noticeably
 constexpr double meets = 1e-10;       // of the natural length and speed: where a contact is closed, and approached
 
 }  // namespace
@@ -181,11 +183,16 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
       const double flight = 2 * leaves / -opening;
       now.flight = now.flight > 0 ? std::min(now.flight, flight) : flight;
       const double ratio = before < 0 ? leaves / -before : one.restitution;
-      if (leaves <= small_speed * first && ratio < 1 && one.restitution < 1) {
-        const double end = now.time + flight / (1 - ratio);
+      // The sum of all flights is known where they are so short that nothing else changes meanwhile. What comes back by
+      // itself, as a pendulum to a stop at its lowest place, flies as long each time: that never ends, and is followed
+      // until nothing is to be seen of it.
+      const bool ends = flight <= short_flight * pace_time_;
+      if (leaves <= (ends ? small_speed : no_speed) * first && ratio < 1 && one.restitution < 1) {
+        const double end = ends ? now.time + flight / (1 - ratio) : std::numeric_limits<double>::infinity();
         settled_[contact.name] = end;
-        change = "the contact '" + contact.name + "' bounces no more after infinitely many blows until " +
-                 with_digits(end, 9) + " s";
+        change = "the contact '" + contact.name +
+                 (ends ? "' bounces no more after infinitely many blows until " + with_digits(end, 9) + " s"
+                       : "' bounces without end, from " + with_digits(now.time, 6) + " s on too weakly to be told");
         happenings_.push_back(change);
       }
     }
@@ -229,11 +236,11 @@ double Course::end_of_bouncing(const Expression& of) {
     } catch (const UnansweredError&) {
       if (!settled_.contains(contact->name)) throw;
     }
-    if (const auto end = settled_.find(contact->name); end != settled_.end()) {
+    if (const auto end = settled_.find(contact->name); end != settled_.end() && std::isfinite(end->second)) {
       values_until_ = std::max(values_until_, std::min(end->second, reached));
       return end->second;
     }
-    if (is_over() || followed_enough(until))
+    if (is_over() || followed_enough(until) || settled_.contains(contact->name))
       throw UnansweredError(situation_.file, of.mark(),
                             "bouncing on '" + contact->name + "' has not ended after " + with_digits(until, 4) + " s");
   }

@@ -12,6 +12,8 @@ namespace {
 
 // Change of a constant number, as a part of itself: its error along the motion, 1e-12 for each of a thousand steps.
 constexpr double constant_to = 1e-9;
+// And of the size that is natural for it: what is zero throughout changes by the rounding of what it is made of.
+constexpr double constant_beside = 1e-15;
 constexpr std::size_t most_rises = 40;           // within one period
 constexpr std::size_t samples_of_wait = 60'000;  // until something must happen in a motion without end
 // In the times that the motion takes to change noticeably: a disturbance takes this long to grow. It grows by 1e7 from
@@ -147,7 +149,8 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
        (constant || !motion_.followed_enough(until / 2)) && !(end && until > *end); until *= 2) {
     const NumberSamples sampled = number_.samples(0, until);
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
-    constant = *high - *low <= constant_to * std::max(std::abs(*high), std::abs(*low));
+    constant = *high - *low <= std::max(constant_to * std::max(std::abs(*high), std::abs(*low)),
+                                        constant_beside * number_.natural_size());
     if (constant) {
       // The number has been constant so far. A disturbance takes some time to grow.
       if (until > long_enough * motion_.pace_time() &&

@@ -10,6 +10,7 @@
 
 #include "problem/course/course.h"
 #include "problem/course/motion_piece.h"
+#include "problem/course/state_times.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
 #include "problem/language/diagnostic.h"
@@ -162,29 +163,23 @@ std::vector<double> Course::times_of_state(const Call& call, double from, std::o
   const Grip asked = call.function == "sticking"  ? Grip::sticks
                      : call.function == "sliding" ? Grip::slides
                                                   : Grip::parts;
-  std::vector<double> found;
-  double span = pace_time_;
-  for (double until = to ? *to : from + span;; until = from + (span *= 2)) {
-    const double reached = follow(until);
-    found.clear();
-    bool before = false;
-    for (const StageRun& stage : stages_)
-      for (std::size_t i = 0; i < stage.pieces.size(); ++i) {
-        const Trajectory& piece = stage.pieces[i];
-        if (piece.empty() || piece.end_time() <= from || piece.start_time() >= until) continue;
-        const auto& contacts = in_states_[stage.states[i]]->contacts;
-        const bool now = std::ranges::find(contacts, contact->name, &Contact::name)->grip == asked;
-        if (now && !before) found.push_back(std::max(from, piece.start_time()));
-        before = now;
-      }
-    values_until_ = std::max(values_until_, found.empty() ? reached : found.back());
-    if (to || !found.empty()) return found;
-    if (is_over() || followed_enough(until))
-      throw UnansweredError(
-          situation_.file, call.arguments.front().value.mark(),
-          call.function + "(" + contact->name + ") does not happen up to " + with_digits(reached, 4) + " s",
-          "check the condition, or say until when it is sought: to: 4 s");
-  }
+  double reached = 0;
+  return sought_times(
+      from, to, pace_time_,
+      [&](double until) {
+        reached = follow(until);
+        const std::vector<double> found = entries_into(stages_, from, until, [&](const StageRun& stage, std::size_t i) {
+          const auto& contacts = in_states_[stage.states[i]]->contacts;
+          return std::ranges::find(contacts, contact->name, &Contact::name)->grip == asked;
+        });
+        values_until_ = std::max(values_until_, found.empty() ? reached : found.back());
+        return found;
+      },
+      [&](double until) {
+        if (is_over() || followed_enough(until))
+          throw UnansweredError(situation_.file, call.arguments.front().value.mark(),
+                                in_vain(call.function + "(" + contact->name + ")", reached), look_until);
+      });
 }
 
 // Contacts whose slip leaves its line: it is followed again from where the line began to be taken.

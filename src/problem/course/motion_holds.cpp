@@ -10,6 +10,7 @@
 
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "problem/course/course.h"
+#include "problem/course/state_times.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
@@ -38,35 +39,35 @@ std::optional<std::size_t> Course::smooth_hold(const Call& call) const {
 std::vector<double> Course::times_of_hold(const Call& call, double from, std::optional<double> to) {
   const std::size_t action = *smooth_hold(call);
   const bool wants_apart = call.function == "parting";
-  const Mark& mark = call.arguments.front().value.mark();
-  std::vector<double> found;
-  double span = pace_time_;
-  for (double until = to ? *to : from + span;; until = from + (span *= 2)) {
-    const double reached = follow(until);
-    found.clear();
-    bool before = false;
+  const auto acts = [&](const StageRun& stage, std::size_t i) {
+    return stage.acting[i].empty() || stage.acting[i][action];
+  };
+  // In a blow it touches, and parts unless it acts from then on.
+  const auto stays_from = [&](double time) {
     for (const StageRun& stage : stages_)
-      for (std::size_t i = 0; i < stage.pieces.size(); ++i) {
-        const Trajectory& piece = stage.pieces[i];
-        if (piece.empty() || piece.end_time() <= from || piece.start_time() >= until) continue;
-        const bool acts = stage.acting[i].empty() || stage.acting[i][action];
-        const bool now = acts != wants_apart;
-        if (now && !before) found.push_back(std::max(from, piece.start_time()));
-        before = now;
-      }
-    // In a blow with rebound it touches, and parts.
+      for (std::size_t i = 0; i < stage.pieces.size(); ++i)
+        if (!stage.pieces[i].empty() && stage.pieces[i].start_time() == time) return acts(stage, i);
+    return false;
+  };
+  double reached = 0;
+  const auto find = [&](double until) {
+    reached = follow(until);
+    std::vector<double> found = entries_into(
+        stages_, from, until, [&](const StageRun& stage, std::size_t i) { return acts(stage, i) != wants_apart; });
     for (const Blow& blow : blows_)
-      if (blow.action == action && blow.time >= from && blow.time <= until) found.push_back(blow.time);
+      if (blow.action == action && blow.time >= from && blow.time <= until && !(wants_apart && stays_from(blow.time)))
+        found.push_back(blow.time);
     std::ranges::sort(found);
     found.erase(std::ranges::unique(found).begin(), found.end());
     values_until_ = std::max(values_until_, found.empty() ? reached : found.back());
-    if (to || !found.empty()) return found;
+    return found;
+  };
+  return sought_times(from, to, pace_time_, find, [&](double until) {
     if (is_over() || followed_enough(until))
-      throw UnansweredError(situation_.file, mark,
-                            call.function + "(" + to_string(call.arguments.front().value) + ") does not happen up to " +
-                                with_digits(reached, 4) + " s",
-                            "check the condition, or say until when it is sought: to: 4 s");
-  }
+      throw UnansweredError(situation_.file, call.arguments.front().value.mark(),
+                            in_vain(call.function + "(" + to_string(call.arguments.front().value) + ")", reached),
+                            look_until);
+  });
 }
 
 // In a blow the gap is closed that was open before and is open after. Elsewhere it is closed all the time that they

@@ -1,6 +1,7 @@
 // Questions about a motion: numbers along it, extremes, periods and the times of events.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -14,6 +15,61 @@
 #include "problem/quantities/state_scope.h"
 
 namespace poinsot::problem {
+namespace {
+
+// How far two numbers along a motion are apart, measured by what rounding leaves of numbers that are equal.
+class SidesApart {
+ public:
+  // natural: the size that is natural for such numbers.
+  SidesApart(NumberInTime left, NumberInTime right, double natural)
+      : left_(std::move(left)), right_(std::move(right)), natural_(natural) {}
+
+  double natural() const { return natural_; }
+  bool at(double time) const { return difference(time) > rounding(time); }
+  double as_part(double time) const {
+    constexpr double visible = 1e7;  // times rounding: the fifth digit of what is compared
+    return difference(time) / std::max(visible * rounding(time), std::numeric_limits<double>::min());
+  }
+  // Whether they are equal at looks that fall on no steps, and then at several times in each step.
+  bool nowhere(double from, double to, const std::function<std::vector<double>()>& steps) const {
+    constexpr std::size_t looks = 12;
+    constexpr int per_step = 6;
+    for (std::size_t k = 0; k < looks; ++k)
+      if (at(from + (to - from) * spread_evenly(k))) return false;
+    const std::vector<double> ends = steps();
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      for (int k = 0; k < per_step; ++k)
+        if (at(ends[i] + (ends[i + 1] - ends[i]) * k / per_step)) return false;
+    return true;
+  }
+
+ private:
+  double difference(double time) const { return std::abs(left_(time) - right_(time)); }
+  double rounding(double time) const {
+    // What a motion conserves drifts by 1e-12 in a thousand steps; of zero there is the rounding of its terms.
+    constexpr double of_sides = 1e-11, of_natural = 1e-15;
+    return std::max(of_sides * std::max(std::abs(left_(time)), std::abs(right_(time))), of_natural * natural_);
+  }
+
+  NumberInTime left_, right_;
+  double natural_;
+};
+
+}  // namespace
+
+void Course::require_sides_apart(std::size_t stage, const Expression& ending) {
+  const std::vector<Expression>& sides = ending.as<Comparison>()->operands;
+  const double from = stages_[stage].start, to = stages_[stage].time;
+  try {
+    const SidesApart apart(number(sides[0], {}), number(sides[1], {}), start_->natural_size(dimension(sides[0], {})));
+    if (!apart.nowhere(from, to, [&] { return nodes(from, to); })) return;
+  } catch (const StatementError&) {
+    return;
+  }
+  throw UnansweredError(situation_.file, ending.mark(),
+                        "both sides of what ends " + words_of(stage) + " stay equal, so that it ends at no single time",
+                        "name another event, or say how long it lasts with lasts:");
+}
 
 SolvedInstant& Course::instant_at(double time) {
   move_probe(at(time));
@@ -128,7 +184,8 @@ Value<double> Course::feature(const Call& call, const std::optional<Expression>&
   if (call.function == "end_of_bouncing") return Value<double>::of_number(end_of_bouncing(of), dimensions::time);
   const std::string words = call.function + "(" + to_string(of) + ")" + (axes ? " on " + to_string(*axes) : "");
   const Dimension kind = dimension(of, axes);
-  const MotionFeatures features(*this, with_rate(of, axes), to_string(of), situation_.file, mark);
+  const NumberWithRate followed = with_rate(of, axes);
+  const MotionFeatures features(*this, followed, to_string(of), situation_.file, mark);
   if (call.function == "period") {
     const double period = features.period();
     values_until_ = std::max(values_until_, features.latest());
@@ -140,8 +197,12 @@ Value<double> Course::feature(const Call& call, const std::optional<Expression>&
   const ExtremeFound found = call.function == "min" ? features.smallest() : features.largest();
   extremes_until_ = std::max(extremes_until_, features.latest());
   asked_extremes_.push_back({call, axes, mark, found.value});
-  tell({words, number_at_instants(of, axes), 0, {}, [found, largest = call.function == "max"](const MotionScan& scan) {
-          return scan.of_extreme(found, largest);
+  tell({words,
+        number_at_instants(of, axes),
+        0,
+        {},
+        [found, largest = call.function == "max", natural = followed.natural_size](const MotionScan& scan) {
+          return scan.of_extreme(found, largest, natural);
         }});
   tell_how(found, call);
   return Value<double>::of_number(found.value, kind);
@@ -221,7 +282,43 @@ std::vector<double> Course::times(const Expression& condition, const std::option
   const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
                     : relation == Relation::greater || relation == Relation::greater_equal ? 1
                                                                                            : 0;
-  std::vector<double> found = features.zeros(from, to, sense);
+  const SidesApart apart(left, right, start_->natural_size(dimension(comparison->operands[0], axes)));
+  // In each step up to when it is first expected, and by some looks in what follows.
+  const auto stay_equal = [&](double first, double last, bool in_each_step) {
+    try {
+      return apart.nowhere(first, last, [&] { return in_each_step ? nodes(first, last) : std::vector<double>(); });
+    } catch (const StatementError&) {
+      return false;
+    }
+  };
+  double begin = from, until = std::min(to ? *to : from + 4 * pace_time_, end().value_or(INFINITY));
+  if (until > begin && stay_equal(begin, until, true)) {
+    const bool holds = relation != Relation::less && relation != Relation::greater;
+    tell({to_string(condition) + " by equal sides",
+          [other = SidesApart(number_at_instants(comparison->operands[0], axes),
+                              number_at_instants(comparison->operands[1], axes), apart.natural())](double time) {
+            return other.as_part(time);
+          },
+          begin, until, [](const MotionScan& scan) { return scan.of_zero(); }});
+    if (to && sense == 0)
+      throw UnansweredError(situation_.file, condition.mark(),
+                            "'" + to_string(condition) + "' holds all the time from " + with_digits(from, 4) +
+                                " s to " + with_digits(*to, 4) + " s, and so at no single times");
+    values_until_ = std::max(values_until_, until);
+    if (to) return holds ? std::vector{from} : std::vector<double>{};
+    if (holds) return {from};
+    // As long as they stay equal neither is larger, whatever rounding says.
+    do {
+      begin = until;
+      if ((end() && begin >= *end()) || followed_enough(begin))
+        throw UnansweredError(situation_.file, condition.mark(),
+                              "'" + to_string(condition) + "' does not happen up to " + with_digits(begin, 4) +
+                                  " s: its two sides stay equal",
+                              "check the condition, or look farther with lasts:");
+      until = std::min(from + 2 * (until - from), end().value_or(INFINITY));
+    } while (stay_equal(begin, until, false));
+  }
+  std::vector<double> found = features.zeros(begin, to, sense);
   values_until_ = std::max(values_until_, features.latest());
   tell({to_string(condition),
         [left = number_at_instants(comparison->operands[0], axes),

@@ -105,6 +105,7 @@ void Course::run(std::size_t stage, double until) {
     if (ending && !piece.add_ending(*ending)) {
       now.end = now.time;
       now.done = true;
+      require_sides_apart(stage, *ending);
       return;
     }
     if (has_later_contacts_ && !open_checked_) {
@@ -171,6 +172,7 @@ void Course::run(std::size_t stage, double until) {
       } else {
         now.end = now.time;
         now.done = true;
+        require_sides_apart(stage, *ending);
       }
     } else if (now.end && now.time >= *now.end) {
       now.done = true;

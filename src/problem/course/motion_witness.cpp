@@ -99,8 +99,11 @@ std::optional<double> MotionScan::at(double time) const {
   }
 }
 
-ScanMisfit MotionScan::of_extreme(const ExtremeFound& told, bool largest) const {
+ScanMisfit MotionScan::of_extreme(const ExtremeFound& told, bool largest, double natural) const {
   ScanMisfit worst;
+  // What is zero throughout is rounding of its terms.
+  constexpr double rounding = 1e-14;
+  if (std::max({std::abs(low_), std::abs(high_), std::abs(told.value)}) <= rounding * natural) return worst;
   const double size = std::max({size_, told.value - low_, high_ - told.value});
   if (value_.empty() || !(size > 0)) return worst;
   // It is taken at the time that is told with it, and nowhere exceeded.
@@ -140,6 +143,13 @@ ScanMisfit MotionScan::of_zeros(const std::vector<double>& told, int sense) cons
     if (std::ranges::any_of(told, [&](double time) { return time >= time_[i] && time <= time_[i + 1]; })) continue;
     if (const double off = std::min(std::abs(a), std::abs(b)) / size_; off > worst.value) worst = {off, time_[i]};
   }
+  return worst;
+}
+
+ScanMisfit MotionScan::of_zero() const {
+  ScanMisfit worst;
+  for (std::size_t i = 0; i < value_.size(); ++i)
+    if (const double off = std::abs(value_[i]); off > worst.value) worst = {off, time_[i]};
   return worst;
 }
 

@@ -46,9 +46,12 @@ class MotionScan {
   // The number is looked at `count` times from `from` to `to`.
   MotionScan(const std::function<double(double)>& number, double from, double to, std::size_t count);
 
-  ScanMisfit of_extreme(const ExtremeFound& told, bool largest) const;
+  // natural: the size of such a number, beside which rounding is nothing.
+  ScanMisfit of_extreme(const ExtremeFound& told, bool largest, double natural = 0) const;
   // sense as for MotionFeatures::zeros. Between `from` and `to` the times told are all.
   ScanMisfit of_zeros(const std::vector<double>& told, int sense) const;
+  // The number is zero at all times: its size is told as the misfit.
+  ScanMisfit of_zero() const;
   // The number after a period is what it was, and it is not so after a part of it.
   ScanMisfit of_period(double told) const;
 

@@ -1,6 +1,7 @@
 #include "problem/entries/read_joints.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "problem/entries/read_actions.h"
@@ -61,9 +62,29 @@ Friction read_joint_friction(const Entry& entry, const Mark& mark, const std::st
   return friction;
 }
 
+// One of several freedoms rubs with a couple or force of its own.
+Friction read_freedom_friction(const Entry& entry, const Mark& mark, const std::string& owner, const JointKind& kind,
+                               const Freedom& freedom, const std::string& file) {
+  const std::string effort = freedom.turning ? "a couple, friction: 2 N*m" : "a force, friction: 5 N";
+  if (kind.any_turning)
+    fail(file, mark, owner + " is an angle of a ball, whose friction is against its turning about whatever axis",
+         "state the axes as joints that turn, on massless rings, each with its friction");
+  const auto row = std::ranges::find(kind.freedoms, freedom.name, &FreedomOfKind::name);
+  if (row->axis == FreedomAxis::across || row->axis == FreedomAxis::across_both)
+    fail(file, mark,
+         owner + " is one of two slides in a plane, whose friction is against the way that both take together",
+         "state contacts with friction, or two joints that slide");
+  if (!entry.is_scalar() && Members(entry, file, {"joint_friction"}).find("coefficient"))
+    fail(file, mark,
+         owner + " states a coefficient: what a " + kind.name +
+             " joint carries rubs against its whole slip, along and round, and that is not solved",
+         "write " + effort + ", or state contacts with friction");
+  return read_joint_friction(entry, mark, owner, kind, file);
+}
+
 // Reads the keys of one freedom. They stand in the joint itself if it has one freedom, else under `freedoms:`.
 void read_freedom(const Members& members, const std::string& owner, const std::string& file, Freedom& freedom,
-                  const JointKind* kind = nullptr) {
+                  const JointKind& kind) {
   const char* position = freedom.turning ? "angle" : "displacement";
   const char* effort = freedom.turning ? "couple" : "force";
   for (const auto& [wrong, right] : {std::pair{freedom.turning ? "displacement" : "angle", position},
@@ -78,7 +99,9 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
   freedom.effort = members.expression(effort);
   freedom.damping = members.expression("damping");
   if (const Entry* friction = members.find("friction")) {
-    freedom.friction = read_joint_friction(*friction, members.mark_of("friction"), owner, *kind, file);
+    const Mark& mark = members.mark_of("friction");
+    freedom.friction = freedom.name.empty() ? read_joint_friction(*friction, mark, owner, kind, file)
+                                            : read_freedom_friction(*friction, mark, owner, kind, freedom, file);
     if (freedom.rate && freedom.accel)
       fail(file, freedom.friction->mark,
            owner + " has rate:, accel: and friction: what drives it has to overcome the friction besides",
@@ -195,14 +218,19 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   }
   if (const Entry* angles = members.find("angles")) read_angles(*angles, owner, file, joint);
 
-  if (const Entry* friction = members.find("friction"); friction && joint.freedoms.size() != 1)
+  if (const Entry* friction = members.find("friction"); friction && joint.freedoms.size() != 1) {
+    const bool several = !joint.kind->freedoms.empty();
     fail(file, members.mark_of("friction"),
          owner + " is a " + joint.kind->name +
-             ": friction is stated at joints that only turn or only slide, revolute and prismatic, and at screws",
-         "state it there, or as contacts with friction");
+             (several ? ": friction is a couple or force in each of its freedoms"
+                      : ": friction is stated where something only turns or only slides"),
+         several ? "state it under freedoms: {" + std::string(joint.kind->freedoms.back().name) +
+                       ": {friction: " + (joint.kind->freedoms.back().turning ? "2 N*m" : "5 N") + "}}"
+                 : "state it at joints of one axis, or as contacts with friction");
+  }
   if (joint.freedoms.size() == 1) {
     const Freedom& freedom = joint.freedoms.front();
-    read_freedom(members, owner, file, joint.freedoms.front(), joint.kind);
+    read_freedom(members, owner, file, joint.freedoms.front(), *joint.kind);
     if (freedom.friction && freedom.friction->bearing && freedom.friction->bearing->length && !joint.at &&
         !joint.place.as<Arrow>())
       fail(file, freedom.friction->mark, owner + " states the length at which it bears, and not where",
@@ -225,7 +253,8 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
       }
       Freedom& freedom = joint.freedoms[static_cast<std::size_t>(found - names.begin())];
       const auto coordinate = freedom.position;
-      read_freedom(Members(value, file, {"freedom"}), owner + ", freedom '" + key.text + "'", file, freedom);
+      read_freedom(Members(value, file, {"freedom"}), owner + ", freedom '" + key.text + "'", file, freedom,
+                   *joint.kind);
       if (coordinate) {
         if (freedom.position)
           fail(file, value.mark, owner + ": the angle '" + key.text + "' already has a name", "remove angle:");
@@ -251,18 +280,28 @@ std::vector<Contact> frictions_in(const std::vector<Joint>& joints) {
     for (const Freedom& freedom : joint.freedoms) {
       if (!freedom.friction) continue;
       Contact friction;
-      friction.name = joint.name;
+      friction.name = freedom.name.empty() ? joint.name : freedom.name + " of " + joint.name;
       friction.of = joint.to;
       friction.against = joint.from;
       friction.of_mark = joint.to_mark;
       friction.against_mark = joint.from_mark;
       friction.normal = joint.place;
+      if (const List* axes = joint.place.as<List>(); axes && joint.kind->given == JointGiven::two_axes)
+        friction.normal = axes->items[&freedom == &joint.freedoms.front() ? 0 : 1];
       friction.friction = freedom.friction;
       friction.in_joint = true;
       friction.mark = joint.mark;
       found.push_back(std::move(friction));
     }
   return found;
+}
+
+RubbingFreedom rubbing_freedom(const std::vector<Joint>& joints, const std::string& friction) {
+  for (const Joint& joint : joints)
+    for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
+      if (friction == (joint.freedoms[k].name.empty() ? joint.name : joint.freedoms[k].name + " of " + joint.name))
+        return {joint, k};
+  throw std::logic_error("no joint has the friction " + friction);
 }
 
 }  // namespace poinsot::problem

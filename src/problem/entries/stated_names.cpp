@@ -29,6 +29,10 @@ void check_stated_names(const Situation& situation) {
   };
   const auto body = [&](const std::string& name, Mark mark) { check(name, mark, bodies, "body"); };
   const auto holder = [&](const std::string& name, Mark mark) { check(name, mark, holders, "body or frame"); };
+  const auto not_itself = [&](const std::string& words, const std::string& one, const std::string& other, Mark mark) {
+    if (one == other)
+      fail(situation.file, mark, words + " is between '" + one + "' and itself", "name two bodies, or ground");
+  };
   for (const Frame& frame : situation.frames)
     if (!frame.rides_on.empty()) body(frame.rides_on, frame.rides_on_mark);
   for (const Joint& joint : situation.joints)
@@ -56,10 +60,12 @@ void check_stated_names(const Situation& situation) {
     if (contact.on_cord) continue;
     body(contact.of, contact.of_mark);
     holder(contact.against, contact.against_mark);
+    not_itself(contact.words(), contact.of, contact.against, contact.mark);
   }
   for (const Cord& cord : situation.cords) {
     holder(cord.from, cord.from_mark);
     body(cord.to, cord.to_mark);
+    if (!cord.is_led()) not_itself("cord '" + cord.name + "'", cord.to, cord.from, cord.mark);
     std::vector<std::string> leads = holders;
     for (const NamedExpression& point : situation.points) leads.push_back(point.name);
     for (const CordWheel& wheel : cord.over) check(wheel.name, wheel.mark, leads, "body or point");
@@ -106,6 +112,7 @@ void check_stated_names(const Situation& situation) {
   for (const Impact& impact : situation.impacts) {
     body(impact.of, impact.of_mark);
     holder(impact.against, impact.against_mark);
+    not_itself("impact '" + impact.name + "'", impact.of, impact.against, impact.mark);
   }
   for (const Strike& strike : situation.strikes) {
     body(strike.hits, strike.hits_mark);

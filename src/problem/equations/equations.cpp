@@ -1,11 +1,13 @@
 #include "problem/equations/equations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
 #include "poinsot/engine/model/state.h"
 #include "problem/answers/read_settings.h"
+#include "problem/equations/rough_states.h"
 #include "problem/equations/traced_machine.h"
 #include "problem/language/diagnostic.h"
 
@@ -70,9 +72,17 @@ class Equations {
   void matrices() {
     const EquationsOfMotion<Traced> equations = equations_of_motion(machine_.mechanism, machine_.state);
     const auto n = static_cast<std::size_t>(equations.size);
+    const bool rubs = machine_.rubs();
+    if (rubs && contains(parts_, EquationPart::reduced))
+      throw NoEquations(
+          "the forces of a contact that slides do work, and equations without them are none of fewer velocities alone: "
+          "ask for forward-dynamics, or for the matrices");
     if (contains(parts_, EquationPart::mass_matrix)) add("M", "mass_matrix", "mass matrix", n, n, equations.mass, true);
     if (contains(parts_, EquationPart::right_side))
-      add("F", "right_side", "right-hand side, M dv/dt = F" + std::string(equations.jacobian.empty() ? "" : " + J^T y"),
+      add("F", "right_side",
+          "right-hand side, M dv/dt = F" + std::string(equations.jacobian.empty() ? ""
+                                                       : rubs                     ? " + B y"
+                                                                                  : " + J^T y"),
           n, 1, equations.right_side);
     const std::size_t rows = equations.jacobian.size();
     if (contains(parts_, EquationPart::constraint_matrix) && rows > 0) {
@@ -81,6 +91,14 @@ class Equations {
       for (const Traced& bias : equations.bias) b.push_back(-bias);
       add("J", "constraint_matrix", "constraints on the velocities, J v = 0", rows, n, J);
       add("b", "constraint_side", "of their rates, J dv/dt = b", rows, 1, b);
+      if (rubs) {
+        const std::vector<std::vector<Traced>> forces = forces_of_constraints(equations);
+        std::vector<Traced> B;
+        for (std::size_t k = 0; k < n; ++k)
+          for (const std::vector<Traced>& force : forces) B.push_back(force[k]);
+        add("B", "force_matrix", "forces of the constraints, each with the friction of its contact, for y = 1", n, rows,
+            B);
+      }
     }
     if (!contains(parts_, EquationPart::reduced)) return;
     const ReducedEquations<Traced> reduced = reduced_equations(equations, machine_.held, machine_.third);
@@ -92,6 +110,26 @@ class Equations {
     add("g", "offset", "the rest of it", n, 1, reduced.offset);
     add("M_u", "reduced_mass", "N^T M N", m, m, reduced.mass, true);
     add("F_u", "reduced_side", "N^T (F - M g): M_u du/dt = F_u", m, 1, reduced.right_side);
+  }
+
+  // The generalised forces of each constraint for y = 1: its row of J, but for contacts that slide.
+  std::vector<std::vector<Traced>> forces_of_constraints(const EquationsOfMotion<Traced>& equations) const {
+    const Mechanism<Traced>& mechanism = machine_.mechanism;
+    Workspace<Traced> workspace(mechanism.tree);
+    update_velocities(mechanism.tree, workspace, machine_.state);
+    std::vector<std::vector<Traced>> forces = equations.jacobian;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      if (machine_.rubbing[i] < 0) continue;
+      const VelocityConstraint<Traced>& c = mechanism.constraints[i];
+      const Component<Traced>& push = mechanism.components[static_cast<std::size_t>(machine_.rubbing[i])];
+      PlacedForce<Traced> force;
+      force.point = constraint_point(mechanism.tree, workspace, c);
+      force.force = direction_on_ground(mechanism.tree, workspace, push.along.body, push.along.vector);
+      follow_contact(mechanism.tree, workspace, c, force);
+      std::ranges::fill(forces[i], Traced(0));
+      add_generalised_force(mechanism.tree, workspace, c.on, c.from, force, forces[i]);
+    }
+    return forces;
   }
 
   void position_rates() {
@@ -119,7 +157,10 @@ class Equations {
       }
     };
     if (machine_.mechanism.constraints.empty()) take([&] { return by_tree(); });
-    if (!machine_.mechanism.constraints.empty() || n <= 8) take([&] { return by_elimination(); });
+    if (machine_.rubs())
+      take([&] { return by_forces(); });
+    else if (!machine_.mechanism.constraints.empty() || n <= 8)
+      take([&] { return by_elimination(); });
     if (best.empty()) throw NoEquations("the accelerations are not determined: " + why_);
     add("dv_dt", "accelerations", "accelerations dv/dt", n, 1, best);
   }
@@ -128,6 +169,65 @@ class Equations {
     for (std::size_t k = 0; k < machine_.third.size(); ++k)
       if (!machine_.held[k]) equations.right_side[k] += machine_.third[k];
     return solved_accelerations(reduced_equations(equations, machine_.held, machine_.third));
+  }
+  // What slides against friction has forces that depend on those of the constraints: with dv/dt = M^-1 (F + B y) these
+  // follow from J dv/dt = b.
+  std::vector<Traced> by_forces() {
+    EquationsOfMotion<Traced> equations = equations_of_motion(machine_.mechanism, machine_.state);
+    const std::vector<std::vector<Traced>> forces = forces_of_constraints(equations), J = equations.jacobian;
+    const std::vector<Traced> bias = equations.bias;
+    for (std::size_t k = 0; k < machine_.third.size(); ++k)
+      if (!machine_.held[k]) equations.right_side[k] += machine_.third[k];
+    equations.jacobian.clear();
+    equations.jacobian_terms.clear();
+    equations.bias.clear();
+    const auto moved_by = [&](const std::vector<Traced>& force, const std::vector<Traced>& given) {
+      equations.right_side = force;
+      return solved_accelerations(reduced_equations(equations, machine_.held, given));
+    };
+    std::vector<Traced> a = moved_by(std::vector<Traced>(equations.right_side), machine_.third);
+    const auto led = [](const std::vector<Traced>& row, const std::vector<Traced>& x) {
+      Traced sum(0);
+      for (std::size_t k = 0; k < row.size(); ++k)
+        if (!vanishes(row[k]) && !vanishes(x[k])) sum += row[k] * x[k];
+      return sum;
+    };
+    std::vector<std::vector<Traced>> moved, rows(J.size());
+    for (const std::vector<Traced>& force : forces)
+      moved.push_back(moved_by(force, std::vector<Traced>(machine_.third.size(), Traced(0))));
+    for (std::size_t i = 0; i < J.size(); ++i) {
+      for (const std::vector<Traced>& one : moved) rows[i].push_back(led(J[i], one));
+      rows[i].push_back(-bias[i] - led(J[i], a));
+    }
+    const std::vector<Traced> y = eliminated(std::move(rows));
+    for (std::size_t i = 0; i < y.size(); ++i)
+      for (std::size_t k = 0; k < a.size(); ++k)
+        if (!vanishes(moved[i][k])) a[k] += y[i] * moved[i][k];
+    return a;
+  }
+  // Gauss's elimination, with the right side as the last of each row. The pivot of a row is the one that is largest in
+  // its column at plain numbers.
+  static std::vector<Traced> eliminated(std::vector<std::vector<Traced>> rows) {
+    const std::size_t n = rows.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      const auto size = [c](const std::vector<Traced>& row) { return std::abs(plain(row[c])); };
+      const auto best = std::ranges::max_element(rows.begin() + static_cast<std::ptrdiff_t>(c), rows.end(), {}, size);
+      constexpr double rounding = 1e-11;  // of the terms of the pivot
+      double largest = 0;
+      for (const std::vector<Traced>& row : rows) largest = std::max(largest, size(row));
+      if (!(size(*best) > rounding * largest) || vanishes((*best)[c]))
+        throw std::domain_error("several constraints share what they carry, and the friction of contacts with them");
+      std::swap(rows[c], *best);
+      for (std::size_t i = 0; i < n; ++i) {
+        if (i == c || vanishes(rows[i][c])) continue;
+        const Traced factor = rows[i][c] / rows[c][c];
+        for (std::size_t k = c; k <= n; ++k)
+          if (!vanishes(rows[c][k])) rows[i][k] = k == c ? Traced(0) : rows[i][k] - factor * rows[c][k];
+      }
+    }
+    std::vector<Traced> x;
+    for (std::size_t i = 0; i < n; ++i) x.push_back(rows[i][n] / rows[i][i]);
+    return x;
   }
   std::vector<Traced> by_tree() {
     const Model<Traced>& stated = machine_.mechanism.tree;
@@ -186,10 +286,12 @@ std::vector<std::string> assumptions(const TracedMachine& machine) {
   return lines;
 }
 
-std::vector<std::string> remarks(const Situation& situation, const std::string& title, const TracedMachine& machine,
-                                 const Equations& equations, std::size_t operations) {
+std::vector<std::string> remarks(const SituationInStates& in_states, const std::string& title,
+                                 const TracedMachine& machine, const Equations& equations, std::size_t operations) {
+  const Situation& situation = in_states.situation;
   std::vector<std::string> lines;
   lines.push_back(title.empty() ? "Equations of motion" : title);
+  lines.insert(lines.end(), in_states.words.begin(), in_states.words.end());
   std::string data;
   for (const NamedExpression& item : situation.given)
     data += (data.empty() ? "" : ", ") + item.name + " = " + to_string(item.value);
@@ -222,8 +324,8 @@ std::vector<std::string> remarks(const Situation& situation, const std::string& 
 }  // namespace
 
 std::string equations_text(const Statement& statement, const EquationsOptions& options) {
-  static_cast<void>(read_settings(statement, options.sets));
-  const Situation& situation = chosen_situation(statement, options.situation);
+  const Settings settings = read_settings(statement, options.sets);
+  const Situation& stated = chosen_situation(statement, options.situation);
   std::vector<EquationPart> parts = options.parts;
   if (parts.empty()) parts = {EquationPart::mass_matrix, EquationPart::right_side, EquationPart::constraint_matrix};
   const bool forward = contains(parts, EquationPart::forward_dynamics);
@@ -231,6 +333,9 @@ std::string equations_text(const Statement& statement, const EquationsOptions& o
     throw std::invalid_argument("forward and inverse dynamics are two functions: ask for one at a time");
 
   try {
+    const SituationInStates in_states =
+        stated.has_friction() ? in_stated_states(statement, stated, settings) : SituationInStates{stated, {}};
+    const Situation& situation = in_states.situation;
     const std::string third = forward ? "u" : "a";
     TracedMachine machine = traced_machine(situation, options, third);
     const Equations equations(machine, parts);
@@ -240,7 +345,7 @@ std::string equations_text(const Statement& statement, const EquationsOptions& o
     text.arrays = {"q", "v", third, "parameters"};
     text.inputs = machine.inputs;
     text.blocks = equations.blocks();
-    text.remarks = remarks(situation, statement.title, machine, equations, program.operations());
+    text.remarks = remarks(in_states, statement.title, machine, equations, program.operations());
     return write_program(program, text, options.form);
   } catch (const NoFormula& error) {
     throw NoEquations(error.what());

@@ -173,11 +173,6 @@ void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
     if (contact.strikes_later())
       throw NoEquations("contact '" + contact.name +
                         "' is struck later: a motion with blows is not told by one set of equations");
-  for (const Contact& contact : situation.contacts)
-    if (contact.friction)
-      throw NoEquations(
-          contact.words() +
-          " has friction: whether it sticks or slides is told at an instant, not by one set of equations");
   for (const Gear& gear : situation.gears)
     if (gear.friction)
       throw NoEquations("gear '" + gear.name +
@@ -223,6 +218,19 @@ std::vector<bool> find_held(const Mechanism<Formula>& mechanism) {
       if (!driven[static_cast<std::size_t>(k)]) held[static_cast<std::size_t>(k)] = true;
   }
   return held;
+}
+
+std::vector<int> find_rubbing(const MachineOf<Formula>& machine) {
+  std::vector<int> rubbing;
+  for (const VelocityConstraint<Formula>& constraint : machine.mechanism.constraints) {
+    const bool slides = std::ranges::any_of(machine.rough_contacts, [&](const RoughContactOf<Formula>& contact) {
+      return contact.coordinate < 0 && contact.action == constraint.action && contact.grip == Grip::slides;
+    });
+    const auto component =
+        std::ranges::find(machine.mechanism.components, constraint.action, &Component<Formula>::action);
+    rubbing.push_back(slides ? static_cast<int>(component - machine.mechanism.components.begin()) : -1);
+  }
+  return rubbing;
 }
 
 // The state in which signs are decided. It is close to the drawn or stated pose and not special, but satisfies the
@@ -339,6 +347,7 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
   check_actions(machine.mechanism, situation);
   if (situation.sought_effort()) throw NoEquations("what drives a joint is to be found: state it in place of any");
   traced_machine.held = find_held(machine.mechanism);
+  traced_machine.rubbing = find_rubbing(machine);
 
   Trace& trace = traced_machine.trace;
   const TraceScope scope(trace);

@@ -1,6 +1,7 @@
 // The mechanism of a situation over a scalar that records the operations done with it.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct TracedMachine {
   std::vector<Traced> third;
   std::vector<TextInput> inputs;
   std::vector<bool> held;  // for each velocity coordinate, whether its motion is given
+  // For each constraint that is a contact which slides against friction, the component that pushes and rubs; else -1.
+  std::vector<int> rubbing;
+
+  bool rubs() const {
+    return std::ranges::any_of(rubbing, [](int component) { return component >= 0; });
+  }
 };
 
 // Throws StatementError and NoEquations.

@@ -309,7 +309,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
     const Action& action = mechanism().actions[index];
     const bool reversed = is_reversed(index) && !as_it_acts.contains(index);
     const std::string what = action.kind == ActionKind::drive      ? "the motor at *" + action.joint + "*"
-                             : action.kind == ActionKind::friction ? "the friction in *" + action.joint + "*"
+                             : action.kind == ActionKind::friction ? "the friction in *" + action.name + "*"
                              : action.kind == ActionKind::cord     ? words_of_cord(action.name)
                              : action.kind == ActionKind::contact  ? "the contact *" + action.name + "*"
                              : action.kind == ActionKind::mesh     ? "the teeth *" + action.name + "*"

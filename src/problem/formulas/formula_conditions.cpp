@@ -18,13 +18,7 @@ std::string words_of_root(const Formula& not_negative) {
   std::string words = formula_words(not_negative);
   // With the factors that have a part in the sign alone.
   const Formula part = sign_part(not_negative, true);
-  std::vector<Formula> forms{not_negative, part, with_plain_numbers(part, standard_gravity_digits)};
-  // The tangents of half angles, in which formulas are factored, leave squares of their cosines below cosines.
-  for (std::size_t i = 0, stated = forms.size(); i < stated; ++i)
-    for (const std::string& name : forms[i].letters())
-      if (formula_words(forms[i]).find("cos(" + name + "/2)") != std::string::npos)
-        forms.push_back(forms[i] * pow(cos(Formula::letter(name, Sign::real) / Formula(2)), 2));
-  for (const Formula& one : forms)
+  for (const Formula& one : {part, with_plain_numbers(part, standard_gravity_digits)})
     if (std::string own = formula_words(one); own.size() < words.size()) words = std::move(own);
   return words + " >= 0";
 }

@@ -91,9 +91,12 @@ class FormulaSearch {
       }
     }
     const auto reason = why_no_formula([&] { answers_.add_state_conditions(grounds_.forces); });
+    withheld_ = reason.has_value();
     if (reason) withhold_formulas(task_, solution_, "the conditions of its contacts have no formulas: " + *reason);
     return std::move(grounds_);
   }
+  // Whether formulas would be told outside the state of the contacts in which they hold. So would laws.
+  bool withheld() const { return withheld_; }
 
  private:
   Value<Formula> formula_of_ask(std::size_t i) {
@@ -388,6 +391,7 @@ class FormulaSearch {
   FormulaGrounds grounds_;
   std::vector<Checkpoint> checkpoints_;
   std::mt19937_64 random_{4000};
+  bool withheld_ = false;
 };
 
 }  // namespace
@@ -411,8 +415,7 @@ FormulaGrounds find_formulas(const FormulaTask& task, Solution& solution) {
   search.run();
   FormulaGrounds grounds = search.grounds();
   grounds.work = work_done() - begin;
-  // A law that numbers show would have to hold in one state of the contacts with friction.
-  if (!task.has_friction()) find_laws(task, grounds.forces, solution);
+  if (!search.withheld()) find_laws(task, grounds.forces, solution);
   return grounds;
 }
 

@@ -14,10 +14,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t most_scanned_laws = 12;  // points at which all letters are far from their ordinary values
-constexpr Work slower = 6;                     // a point may take so many times what the base took, and this besides:
-constexpr Work in_any_case = 5'000'000;
-constexpr Work closing_in = 3;  // times as much work may go into the bounds
+constexpr std::size_t most_scanned_laws = 12;     // points at which all letters are far from their ordinary values
+constexpr std::size_t scanned_by_dimensions = 2;  // where dimensions alone tell the laws
+constexpr Work closing_in = 3;                    // times as much work may go into the bounds
 constexpr int most_halvings = 40;
 constexpr int largest_guess = 12;      // denominator of a bound that is guessed
 constexpr double simple_to = 1e-3;     // relative distance at which a guess is tried on either side
@@ -28,7 +27,7 @@ class Reach {
  public:
   Reach(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters, const LetterValues& base,
         const ScalingTrials::Solve& solve, double tolerance, Work most,
-        const std::function<bool(const LetterValues&)>& is_beyond, double& misfit)
+        const std::function<bool(const LetterValues&)>& is_beyond, bool by_dimensions, Work each, double& misfit)
       : laws_(laws),
         letters_(letters),
         base_(base),
@@ -37,13 +36,13 @@ class Reach {
         tolerance_(tolerance),
         is_beyond_(is_beyond),
         misfit_(misfit),
+        by_dimensions_(by_dimensions),
         most_(most),
-        limit_(most) {}
+        limit_(most),
+        each_(each) {}
 
   std::vector<LawReach> found() {
-    const Work begin = work_done();
     keep(base_);
-    each_ = slower * (work_done() - begin) + in_any_case;
     for (const FarPoint& point : far_points())
       if (!limit_.spent() || (!point.much.empty() && left_out(point.much))) keep(point.letters, point.much);
     see_what_matters();
@@ -72,6 +71,12 @@ class Reach {
   };
   std::vector<FarPoint> far_points() const {
     std::vector<FarPoint> points;
+    // With no group of the letters there is none that a bound could be at: all far points are one motion in other
+    // units, and where all letters are others at once none is left out.
+    if (by_dimensions_) {
+      for (std::size_t i = 0; i < scanned_by_dimensions; ++i) points.push_back({scanned(i)});
+      return points;
+    }
     const auto moved = [&](const Letter& letter, double value, bool much) {
       points.push_back({base_, much ? letter.name : ""});
       points.back().letters[letter.name] = value;
@@ -175,7 +180,7 @@ class Reach {
 
   LawReach reach(std::size_t k) {
     const auto fails = std::ranges::find_if(tried_, [&](const Tried& one) { return one.holds[k] == false; });
-    if (fails == tried_.end()) return {{}, {}, untried(k)};
+    if (fails == tried_.end()) return {{}, {}, by_dimensions_ ? "" : untried(k)};
     LawReach result;
     result.fails = fails->letters;
     if (tried_.front().holds[k] != true) return result;
@@ -264,9 +269,10 @@ class Reach {
   const double tolerance_;
   const std::function<bool(const LetterValues&)>& is_beyond_;
   double& misfit_;
+  const bool by_dimensions_;
   const Work most_;
   WorkLimit limit_;
-  Work each_ = 4'000'000'000;    // that a point may take; of the base, what any may
+  const Work each_;              // that a point may take
   std::vector<Tried> tried_;     // the base first
   std::vector<double> misfits_;  // of the laws at the point tried last
 };
@@ -275,8 +281,9 @@ class Reach {
 
 std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
                                const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
-                               const std::function<bool(const LetterValues&)>& is_beyond, double& misfit) {
-  return Reach(laws, letters, base, solve, tolerance, most, is_beyond, misfit).found();
+                               const std::function<bool(const LetterValues&)>& is_beyond, bool by_dimensions, Work each,
+                               double& misfit) {
+  return Reach(laws, letters, base, solve, tolerance, most, is_beyond, by_dimensions, each, misfit).found();
 }
 
 }  // namespace poinsot::problem

@@ -29,11 +29,13 @@ struct LawReach {
 // together over six decades. Where a law fails it looks for the condition under which it holds: a group of letters
 // without dimension that is on one side of a bound wherever the law holds and on the other wherever it fails, or the
 // sign of a letter. The bound is closed in and the condition tried at other letters. misfit: the largest relative
-// difference where the laws hold. most: the work that this may take; what takes far more than at the base is left out.
+// difference where the laws hold. most: the work that this may take; each: that one point may, others are left out.
 // A letter that a law leaves out is tried in any case, since near the base it may matter less than the answers are
 // exact. is_beyond: whether the problem is none of those of which laws are told, so that they need not hold there.
+// by_dimensions: whether dimensions alone tell all laws, and the letters make no group; two points are enough then.
 std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
                                const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
-                               const std::function<bool(const LetterValues&)>& is_beyond, double& misfit);
+                               const std::function<bool(const LetterValues&)>& is_beyond, bool by_dimensions, Work each,
+                               double& misfit);
 
 }  // namespace poinsot::problem

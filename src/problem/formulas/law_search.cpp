@@ -12,6 +12,7 @@
 #include "problem/formulas/formula_words.h"
 #include "problem/formulas/law_reach.h"
 #include "problem/formulas/law_regimes.h"
+#include "problem/formulas/letter_dimensions.h"
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/evaluate_support.h"
@@ -36,6 +37,17 @@ constexpr Work slower_there = 6, at_least_there = 5'000'000;
 bool has_numbers(const Value<double>& value) {
   if (value.is_list()) return !value.items.empty() && std::ranges::all_of(value.items, has_numbers);
   return value.is_number() || value.is_vector();
+}
+
+// Whether all letters are sizes of independent dimensions.
+bool make_no_group(const std::vector<Letter>& letters) {
+  const std::vector<Units> units{Units::length, Units::mass, Units::time};
+  return std::ranges::none_of(letters,
+                              [](const Letter& letter) {
+                                return letter.either_sign || letter.unit.dimension == dimensions::angle ||
+                                       same_kind(letter.unit.dimension, dimensions::none);
+                              }) &&
+         LetterDimensions(letters, units).pivots().size() == letters.size();
 }
 
 std::string road_of(const ScalingLaw& law) {
@@ -109,6 +121,7 @@ class LawSearch {
       return why_no_formula([&] {
         const ScalingLaw law = scaling_law(trials, i, letters);
         hold_all_round(trials, i, law);
+        by_dimensions_ = by_dimensions_ && law.by_trial.empty();
         ask.formula = law.formula;
         ask.formula_road = road_of(law);
       });
@@ -180,14 +193,12 @@ class LawSearch {
     const ScalingTrials::Solve solve = [this](const LetterValues& letters) {
       return within(each_there_, [&] { return kept_answers_at(letters); });
     };
-    // What is reached is measured by the work at the base, which is done again.
-    const ScalingTrials::Solve solve_anew = [this](const LetterValues& letters) {
-      return kept_[letters] = bounded_answers_at(letters);
-    };
+    const ScalingTrials::Solve solve_there = [this](const LetterValues& letters) { return kept_answers_at(letters); };
     const Work most = std::max(spent, least_reach_work);
     const std::vector<LawReach> reaches = reach_of(
-        laws, task_.open, base, solve_anew, tolerance, most,
-        [this](const LetterValues& letters) { return is_beyond(letters); }, misfit);
+        laws, task_.open, base, solve_there, tolerance, most,
+        [this](const LetterValues& letters) { return is_beyond(letters); },
+        by_dimensions_ && fixed_.empty() && make_no_group(task_.open), each_there_, misfit);
     for (std::size_t n = 0; n < laws.size(); ++n)
       if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
                         std::max(regimes_over_reach * most, least_regime_search)))
@@ -283,6 +294,7 @@ class LawSearch {
     // The asks report why there is no law.
     static_cast<void>(why_no_formula([&] {
       const ScalingLaw law = scaling_law(trials, solution_.asks.size() + k, letters);
+      by_dimensions_ = by_dimensions_ && law.by_trial.empty();
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name), law.formula};
       if (!is_common(task_.statement, unknown.name)) {
         solved.name += " @ " + task_.statement.situations[situation].name;
@@ -313,6 +325,9 @@ class LawSearch {
       throw NoFormula(takes_too_long);
     }
   }
+  bool seeks_ends() const {
+    return std::ranges::any_of(task_.statement.asks, [](const Ask& ask) { return ask.extremum.has_value(); });
+  }
   // The answers of the asks, followed by the unknowns.
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
     ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
@@ -322,6 +337,9 @@ class LawSearch {
     const OpenChoice choice{.most_changes = most_changes_each};
     Sample sample(task_.statement, *settings, choice);
     sample.write_down_what_is_told();
+    // A law of a motion is one of the states in which it begins; ends of states lie between several.
+    if (task_.has_friction() && !seeks_ends() && !sample.contact_states_hold())
+      fail(task_.statement.file, {1, 1}, "there the contacts with friction are in other states");
     for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
       const Ask& ask = task_.statement.asks[i];
       const bool fixed = std::ranges::find(fixed_, i) != fixed_.end();
@@ -383,7 +401,8 @@ class LawSearch {
   std::vector<std::size_t> fixed_;   // asks over a motion that no letter was seen to change
   std::optional<std::size_t> root_;  // the index of this solution's root, in ascending order
   std::size_t roots_ = 0;
-  double error_ = 0;  // of the motion
+  double error_ = 0;           // of the motion
+  bool by_dimensions_ = true;  // whether no law that was found needed trials
   const Work begin_ = work_done();
   Work each_there_ = 0;
   std::map<LetterValues, ScalingTrials::Answers> kept_;

@@ -39,6 +39,12 @@ Diagnostic unknown_surface(const Situation& situation, const Machine& machine,
   const std::string& name = machine.mechanism.actions[static_cast<std::size_t>(constraint.action)].name;
   const auto contact = std::find_if(situation.contacts.begin(), situation.contacts.end(),
                                     [&](const Contact& c) { return c.name == name; });
+  if (contact->corner && contact->against != "ground")
+    return {situation.file, contact->mark,
+            "how the corner of contact '" + name + "' moves is not known: the surface of '" + contact->against +
+                "' there is not known",
+            "velocities can be asked; for forces, accelerations and stability give '" + contact->against +
+                "' a shape that is touched there, such as added: {top: {rectangle: {...}, mass: 0 kg}}"};
   return {situation.file, contact->mark,
           "how the point of contact '" + name + "' moves is not known: the surface of a body there is not known",
           "velocities can be asked; for forces, accelerations and stability write corner: in place of at: if a point "

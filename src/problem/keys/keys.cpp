@@ -278,6 +278,7 @@ constexpr auto table = std::to_array<LanguageKey>({
      "applied by from on to, along the direction of sliding; any: it is to be found"},
     {"freedom", "spring", object, "joint_spring", "torsional spring, or spring along the direction of sliding"},
     {"freedom", "damping", expression, "", "resisting couple or force per rate"},
+    {"freedom", "friction", any, "joint_friction", "couple or force of its dry friction, of one of several freedoms"},
     {"joint_spring", "stiffness", expression, "", "couple per angle, or force per length"},
     {"joint_spring", "free_angle", expression, "", "the angle at which it is relaxed; zero when left out"},
     {"joint_spring", "free_displacement", expression, "",

@@ -42,6 +42,17 @@ const std::vector<FunctionForm>& mathematical_functions() {
   return forms;
 }
 
+namespace {
+
+// What is written in place of a call, with what it is of: frequencies(lower) where the example has a plate.
+std::string with_own_argument(const std::string& example, const Call& call) {
+  const std::size_t open = example.find('(');
+  const bool simple = call.arguments.size() == 1 && example.find_first_of("( ", open + 1) == std::string::npos;
+  return simple ? example.substr(0, open + 1) + to_string(call.arguments.front().value) + ")" : example;
+}
+
+}  // namespace
+
 UnknownCall describe_unknown_call(const Call& call, const std::vector<std::string>& others) {
   std::vector<std::string> names;
   for (const FunctionForm& known : mathematical_functions()) {
@@ -51,7 +62,7 @@ UnknownCall describe_unknown_call(const Call& call, const std::vector<std::strin
   names.insert(names.end(), others.begin(), others.end());
   const std::string custom = customary_call(call.function, names);
   return {"there is no function '" + call.function + "'",
-          custom.empty() ? did_you_mean(call.function, names) : "write " + custom};
+          custom.empty() ? did_you_mean(call.function, names) : "write " + with_own_argument(custom, call)};
 }
 
 template class Evaluator<double>;

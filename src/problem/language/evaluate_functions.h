@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/math/formula/formula_exponential.h"
 #include "problem/language/evaluate.h"
 #include "problem/language/evaluate_support.h"
 #include "problem/language/exact_numbers.h"
@@ -95,8 +96,12 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
     const Scalar x = context.pure(call, argument);
     if (f == "ln" && !(plain(x) > 0))
       context.no_value("ln of " + number_text(plain(x)) + " does not exist: the argument must be positive");
-    if constexpr (is_exact<Scalar>) {
-      throw NoFormula(call.function + "() has no formula");
+    if constexpr (std::is_same_v<Scalar, Formula>) {
+      const std::optional<Formula> found = f == "exp" ? std::optional(exp(x)) : exponent_of(x);
+      if (!found) throw NoFormula("ln() has a formula of powers of e alone");
+      return pure(*found);
+    } else if constexpr (is_exact<Scalar>) {
+      throw NoFormula("the rate of " + call.function + "() has no formula");
     } else {
       using std::exp, std::log;
       return pure(f == "exp" ? exp(x) : log(x));

@@ -345,8 +345,12 @@ Vector3<Scalar> Evaluator<Scalar>::vector(const Expression& expression, const Di
                (item.is_number() ? quantity_in_words(item) : kind_in_words(item)));
     }
   }
+  // What has a name is given elsewhere, and may be meant otherwise there.
+  const Name* name = expression.as<Name>();
   fail(place, "expected " + to_string(dimension) + " in three components, a vector, not " + kind_in_words(value),
-       "write it as [a, b, c]");
+       name && name->primes == 0 ? "give '" + name->name + "' three components where it is stated, or write [0, 0, " +
+                                       name->name + "] for one that has this size"
+                                 : "write it as [a, b, c]");
 }
 
 template <class Scalar>

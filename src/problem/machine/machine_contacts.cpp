@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "poinsot/engine/math/algebra/plain.h"
+#include "problem/entries/read_joints.h"
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
@@ -183,8 +184,11 @@ std::vector<PressingPart<Scalar>> pressing_parts(MachineDraft<Scalar>& draft, co
 template <class Scalar>
 void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& contact) {
   std::vector<Drive<Scalar>>& drives = draft.machine.mechanism.drives;
+  const auto [joint, freedom] = rubbing_freedom(draft.situation.joints, contact.name);
+  const std::string& named = joint.freedoms[freedom].name;
+  const std::string driven = joint.name + (named.empty() ? "" : "." + named);
   const auto motor = std::ranges::find_if(drives, [&](const Drive<Scalar>& drive) {
-    return draft.machine.mechanism.actions[static_cast<std::size_t>(drive.action)].joint == contact.name;
+    return draft.machine.mechanism.actions[static_cast<std::size_t>(drive.action)].name == driven;
   });
   if (motor == drives.end())
     fail(draft.situation.file, contact.friction->mark,
@@ -198,7 +202,7 @@ void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& contact) 
                                               by_load           ? dimensions::none
                                               : rubbing.turning ? dimensions::moment
                                                                 : dimensions::force);
-  rubbing.action = draft.add_action(ActionKind::friction, contact.name, contact.name, draft.body(contact.of),
+  rubbing.action = draft.add_action(ActionKind::friction, contact.name, joint.name, draft.body(contact.of),
                                     draft.body(contact.against));
   RoughContactOf<Scalar> rough;
   rough.name = contact.name;
@@ -210,9 +214,7 @@ void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& contact) 
   rough.turning = rubbing.turning;
   rough.at = rubbing.at;
   rough.drive = drives.size();
-  if (by_load)
-    rough.pressing =
-        pressing_parts(draft, contact, *std::ranges::find(draft.situation.joints, contact.name, &Joint::name));
+  if (by_load) rough.pressing = pressing_parts(draft, contact, joint);
   const auto [one, other] = across(rubbing.along.vector);
   rough.normal = {rubbing.along.body, one};
   rough.motions[1].along = rubbing.along;

@@ -90,8 +90,13 @@ void add_joint(MachineDraft<Scalar>& draft, const Joint& joint, bool reversed) {
   if (joint.freedoms.empty()) {
     const std::size_t first = draft.next_velocity();
     const bool ball = joint.kind->any_turning;
-    draft.machine.index[child] = draft.add_link(
-        child, parent, ball ? poinsot::Joint<Scalar>::ball() : poinsot::Joint<Scalar>::weld(), axes.at, mass);
+    // A particle that is welded has its origin where it is. About another one its moment of inertia is not zero, and
+    // taken back to the place of the particle it is rounding: two in one place would be spun by that.
+    const Body& body = draft.situation.bodies[child_index];
+    const bool particle = body.parts.size() == 1 && body.parts.front().shape.kind == "particle";
+    draft.machine.index[child] =
+        draft.add_link(child, parent, ball ? poinsot::Joint<Scalar>::ball() : poinsot::Joint<Scalar>::weld(),
+                       particle && !ball ? draft.masses[child_index].center : axes.at, mass);
     if (ball)
       for (std::size_t k = 0; k < 3; ++k)
         draft.machine.mechanism.coordinate_names[first + k] =

@@ -7,6 +7,8 @@
 #include "problem/near/near_in_letters.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -151,17 +153,16 @@ class ResponseInLetters {
  public:
   ResponseInLetters(const InstantInLetters& instant, const Call& call)
       : instant_(instant), motion_(motion_of(instant)), free_(free_coordinates(motion_)) {
-    if (instant.situation.steady || std::ranges::any_of(instant.v, [](const Formula& rate) { return !rate.is_zero(); }))
-      throw NoFormula("the response of what moves is found by numbers");
+    if (motion_.frame != ground || std::ranges::any_of(free_, [&](std::size_t k) { return !instant.v[k].is_zero(); }))
+      throw NoFormula("the response of what moves, but for spins, is found by numbers");
     const Name* name = call.argument("to")->as<Name>();
     const auto stated = name ? std::ranges::find(instant.situation.excitations, name->name, &Excitation::name)
                              : instant.situation.excitations.end();
     if (stated == instant.situation.excitations.end()) throw NoFormula("what shakes is not known");
-    if (stated->unbalance || stated->turns || free_.size() > most_shaken_in_letters)
-      throw NoFormula("such a response is found by numbers");
+    if (free_.size() > most_shaken_in_letters) throw NoFormula("the response of so many freedoms is found by numbers");
     const Expression* at = call.argument("at");
-    if (!at && !stated->frequency) throw NoFormula("its frequency is not stated");
-    w_ = instant.data.number(at ? *at : *stated->frequency, dimensions::angular_velocity);
+    if (!at && !stated->frequency && !stated->unbalance) throw NoFormula("its frequency is not stated");
+    if (!stated->unbalance) w_ = instant.data.number(at ? *at : *stated->frequency, dimensions::angular_velocity);
     solve(*stated);
   }
 
@@ -195,7 +196,9 @@ class ResponseInLetters {
   }
 
   void solve(const Excitation& stated) {
+    const std::optional<Shaking> shaking = stated.coordinate.empty() ? std::optional(shaking_of(stated)) : std::nullopt;
     const LinearisedFormulas near = equations_of(motion_, free_);
+    if (near.follows_spin) throw NoFormula("the response on axes that do not follow the spin is found by numbers");
     std::vector<Complex> f(free_.size());
     moving_ = free_;
     std::optional<Complex> driven;
@@ -211,7 +214,7 @@ class ResponseInLetters {
       for (std::size_t i = 0; i < free_.size(); ++i) f[i] = -(stiffness(with, i, free_.size()) * *driven);
       moving_.push_back(j);
     } else {
-      for (std::size_t i = 0; i < free_.size(); ++i) f[i].real = work_along(stated, free_[i]);
+      for (std::size_t i = 0; i < free_.size(); ++i) f[i] = work_along(stated, *shaking, free_[i]);
     }
     ComplexMatrix Z(free_.size());
     for (std::size_t i = 0; i < free_.size(); ++i)
@@ -232,26 +235,78 @@ class ResponseInLetters {
     return state;
   }
 
-  // What a force or couple of the amplitude does as a coordinate moves by one.
-  Formula work_along(const Excitation& stated, std::size_t k) const {
+  // The force and the couple that shake, each by its real and imaginary part: what goes round about n, from u on, is
+  // the real part of (u - i n x u) exp(i w t).
+  using Parts = std::array<Vector3<Formula>, 2>;
+  struct Shaking {
+    int body;
+    Parts force{}, couple{};
+  };
+  static Parts going_round(const Vector3<Formula>& u, const Vector3<Formula>& n) { return {u, -cross(n, u)}; }
+
+  Shaking shaking_of(const Excitation& stated) {
+    const Model<Formula>& tree = instant_.machine.mechanism.tree;
+    Workspace<Formula> w(tree);
+    update_velocities(tree, w, State<Formula>{instant_.q, instant_.v});
+    Shaking shaking{instant_.machine.index.at(stated.body)};
+    DataScope<Formula>& data = instant_.data;
+    if (stated.unbalance) {
+      // A mass to the side of the axis takes the force U w^2 towards it, and the couple of its weight.
+      const auto [rate, n] = size_and_direction(angular_velocity(w, shaking.body));
+      w_ = rate;
+      const Formula U = data.number(*stated.unbalance, dimensions::mass * dimensions::length);
+      const Parts u = going_round(direction_on_ground(tree, w, shaking.body, data.direction(*stated.direction)), n);
+      for (const std::size_t k : {0U, 1U}) {
+        shaking.force[k] = U * rate * rate * u[k];
+        shaking.couple[k] = U * cross(u[k], tree.gravity());
+      }
+      return shaking;
+    }
+    const Expression& size = stated.couple ? *stated.couple : *stated.force;
+    const Dimension dimension = stated.couple ? dimensions::moment : dimensions::force;
+    const Vector3<Formula> own = stated.direction ? data.number(size, dimension) * data.direction(*stated.direction)
+                                                  : data.vector(size, dimension);
+    const auto on_ground = [&](const Vector3<Formula>& v) {
+      return direction_on_ground(tree, w, instant_.machine.index.at(stated.axes), v);
+    };
+    (stated.couple ? shaking.couple : shaking.force) =
+        stated.turns ? going_round(on_ground(own), on_ground(data.direction(*stated.turns)))
+                     : Parts{on_ground(own), Vector3<Formula>::zero()};
+    return shaking;
+  }
+  static std::pair<Formula, Vector3<Formula>> size_and_direction(const Vector3<Formula>& v) {
+    std::optional<std::size_t> along;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (v[k].is_zero()) continue;
+      if (along) throw NoFormula("the unbalance of what spins about no axis of the figure is found by numbers");
+      along = k;
+    }
+    if (!along) throw NoFormula("what does not spin has no unbalance that goes round");
+    const int sign = decided_negative(v[*along]) ? -1 : 1;
+    Vector3<Formula> axis = Vector3<Formula>::zero();
+    axis[*along] = Formula(sign);
+    return {Formula(sign) * v[*along], axis};
+  }
+
+  // What shakes does such work as a coordinate moves by one.
+  Complex work_along(const Excitation& stated, const Shaking& shaking, std::size_t k) const {
     const Model<Formula>& tree = instant_.machine.mechanism.tree;
     Workspace<Formula> w(tree);
     update_velocities(tree, w, state_along(k));
-    const int body = instant_.machine.index.at(stated.body);
-    const Expression& size = stated.couple ? *stated.couple : *stated.force;
-    const Dimension dimension = stated.couple ? dimensions::moment : dimensions::force;
-    DataScope<Formula>& data = instant_.data;
-    const Vector3<Formula> own = stated.direction ? data.number(size, dimension) * data.direction(*stated.direction)
-                                                  : data.vector(size, dimension);
-    const Vector3<Formula> u = direction_on_ground(tree, w, instant_.machine.index.at(stated.axes), own);
-    if (stated.couple) return dot(u, angular_velocity(w, body));
-    if (stated.at) {
-      const Place<Formula> place = instant_.machine.place(body, data.place(*stated.at));
-      return dot(u, point_velocity(tree, w, body, place.point));
-    }
-    const SpatialInertia<Formula>& mass = tree.body(body).inertia;
-    if (mass.mass.is_zero()) throw NoFormula("where the force acts is not known");
-    return dot(u, point_velocity(tree, w, body, Vector3<Formula>(mass.first_moment / mass.mass)));
+    Vector3<Formula> moved = Vector3<Formula>::zero();
+    const SpatialInertia<Formula>& mass = tree.body(shaking.body).inertia;
+    if (stated.at)
+      moved = point_velocity(tree, w, shaking.body,
+                             instant_.machine.place(shaking.body, instant_.data.place(*stated.at)).point);
+    else if (!mass.mass.is_zero())
+      moved = point_velocity(tree, w, shaking.body, Vector3<Formula>(mass.first_moment / mass.mass));
+    else if (!stated.couple)
+      throw NoFormula("where the force acts is not known");
+    const Vector3<Formula> turned = angular_velocity(w, shaking.body);
+    const auto work = [&](std::size_t part) {
+      return dot(shaking.force[part], moved) + dot(shaking.couple[part], turned);
+    };
+    return {work(0), work(1)};
   }
 
   // By how much a quantity changes as a coordinate moves by one.

@@ -10,6 +10,15 @@
 #include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
+namespace {
+
+// Whether it is the name of a contact or joint, or of one freedom of a joint, slide of post.
+bool is_named(const Expression& what) {
+  const Of* of = what.as<Of>();
+  return plain_name(what) || (of && plain_name(of->point) && plain_name(of->body));
+}
+
+}  // namespace
 
 // The part of a contact's force along its normal, which is that of its constraint in this pose.
 template <class Scalar, class Base>
@@ -46,7 +55,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
   const Expression& what = call.arguments[0].value;
   const std::vector<RoughContactOf<Base>>& rough = machine_.rough_contacts;
   const auto found = std::ranges::find_if(
-      rough, [&](const RoughContactOf<Base>& contact) { return plain_name(what) && is_about(call, contact.name); });
+      rough, [&](const RoughContactOf<Base>& contact) { return is_named(what) && is_about(call, contact.name); });
   const auto flying = std::ranges::find_if(situation_.contacts, [&](const Contact& contact) {
     return contact.flies && plain_name(what) && plain_name(what)->name == contact.name;
   });

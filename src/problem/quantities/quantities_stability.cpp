@@ -90,7 +90,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::stability(const Call& call, const Mar
   if (all &&
       std::ranges::any_of(near.modes, [&](const solve::Mode& mode) { return !(mode.doubt <= 1e-3 * near.pace); }))
     throw UnansweredError(situation_.file, mark, "rates near this motion meet, so that they are not known one by one",
-                          "change a datum by a little");
+                          machine_.mechanism.attractions.empty()
+                              ? "change a datum by a little"
+                              : "beside an orbit state the turning of a body on a joint of the orbit's frame: "
+                                "{ball: G, from: orbit, to: satellite}");
   if (call.function == "modes") return modes(near, body);
   std::vector<Result> items;
   if (call.function == "eigenvalues") {

@@ -10,6 +10,8 @@
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_values.h"
 #include "problem/response/shaken_instant.h"
+#include "problem/witness/stated_forces.h"
+#include "problem/witness/stated_springs.h"
 
 namespace poinsot::problem {
 namespace {
@@ -182,6 +184,7 @@ void ShakenInstant::read_force() {
       fail(situation.file, stated_.mark, "'" + stated_.name + "' points out of the plane of the problem",
            stated_.couple ? "a couple is about the normal" : "a force lies in the plane");
   }
+  const Vector drawn = u;
   u = on_ground(u);
   const double turning = norm(motion_.turning);
   const Vector rides = axes == ground ? Vector::zero() : angular_velocity(w, axes);
@@ -215,6 +218,18 @@ void ShakenInstant::read_force() {
     excitation_.at = place_of(body);
     excitation_.force = amplitude;
   }
+  confirm_as_drawn(body, axes, drawn, u);
+}
+
+// A second road to where it acts and along what: the way of the body from the figure.
+void ShakenInstant::confirm_as_drawn(int body, int axes, const Vector& drawn, const Vector& now) const {
+  const Model<double>& tree = base_.machine_.mechanism.tree;
+  const StatedForce stated =
+      drawn_force(*base_.mechanism_state_, base_.machine_, *base_.data_, body, stated_.at, axes, drawn);
+  const Vector at = point_position(tree, base_.mechanism_state_->workspace(), body, excitation_.at.point);
+  if (norm(widened(now) - stated.force) > as_stated * norm(now) ||
+      (!stated_.couple && norm(widened(at) - stated.at) > as_stated * (base_.scales_.length + norm(at))))
+    refuse("the way of the bodies from the figure does not confirm where '" + stated_.name + "' acts and along what");
 }
 
 // An unbalance U = m e is a particle m at e from a place P on the axis, less one at P, as m vanishes: with u the
@@ -236,6 +251,7 @@ void ShakenInstant::read_unbalance() {
          "state a direction across the axis");
   excitation_.frequency = norm(s);
   excitation_.at = place_of(body);
+  confirm_as_drawn(body, body, base_.data_->direction(*stated_.direction), u);
   const double U = base_.data_->number(*stated_.unbalance, dimensions::mass * dimensions::length);
   const Vector total = angular_velocity(w, body), change = cross(motion_.turning, total);
   // The acceleration of P: that of the frame's turning, since P rests in the frame.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "poinsot/engine/mass/particle_set.h"
+#include "problem/entries/read_joints.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
@@ -69,7 +70,9 @@ class Dimensions {
       const auto eyelet = std::ranges::find_if(scene.points, is_point);
       return eyelet == scene.points.end() ? std::nullopt : std::optional(eyelet->place);
     }
-    const auto symbol = std::ranges::find(scene.symbols, contact.name, &scene::Symbol::name);
+    const std::string& named =
+        contact.in_joint ? rubbing_freedom(figure_.situation().joints, contact.name).joint.name : contact.name;
+    const auto symbol = std::ranges::find(scene.symbols, named, &scene::Symbol::name);
     if (symbol != scene.symbols.end()) return symbol->place;
     for (const scene::Curve& curve : scene.curves)
       if (curve.kind == scene::CurveKind::surface && curve.name == contact.name)

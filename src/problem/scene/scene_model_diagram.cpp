@@ -246,7 +246,9 @@ class ModelDiagram {
     for (const Instant* instant : instants_at_start(situation()))
       for (const Fact& fact : instant->facts) {
         if (const Name* rate = fact.quantity.as<Name>(); rate && rate->primes == 1) add_coordinate_rate(*rate, fact);
-        const Call* call = fact.quantity.as<Call>();
+        // A component may be stated alone, velocity(cart).x: the others are known as well.
+        const Member* component = fact.quantity.as<Member>();
+        const Call* call = (component ? component->object : fact.quantity).as<Call>();
         if (call == nullptr || call->arguments.empty()) continue;
         const bool turning = call->function == "angular_velocity";
         if (!turning && call->function != "velocity") continue;
@@ -281,9 +283,16 @@ class ModelDiagram {
     if (point) at = figure_.scene_place(figure_.machine().place(tree_body, figure_.data().place(point->point)));
     const Vector3<double> place = figure_.on_ground(at);
     const std::string index = point ? to_string(point->point) : body;
-    add(turning ? Quantity::angular_velocity : Quantity::velocity, body, at,
-        turning ? motion.w : Vector3<double>(motion.v + cross(motion.w, place - motion.p)),
-        symbol_of(fact.value, turning ? this->turning(index) : velocity(index)));
+    const Vector3<double> vector = turning ? motion.w : Vector3<double>(motion.v + cross(motion.w, place - motion.p));
+    const ArrowSymbol own = turning ? this->turning(index) : velocity(index);
+    const bool whole = fact.quantity.as<Member>() == nullptr;
+    const Quantity quantity = turning ? Quantity::angular_velocity : Quantity::velocity;
+    // Of several components the first tells the vector.
+    if (!whole && std::any_of(diagram_.arrows.begin(), diagram_.arrows.end(), [&](const scene::Arrow& arrow) {
+          return arrow.quantity == quantity && arrow.symbol == own.tex;
+        }))
+      return;
+    add(quantity, body, at, vector, whole ? symbol_of(fact.value, own) : own);
   }
 
   void add_blows() {

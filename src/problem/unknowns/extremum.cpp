@@ -44,12 +44,13 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
 
 namespace {
 
-bool asks_to_stick(const Extremum& extremum, const Contact& contact) {
+bool asks_of(const Extremum& extremum, const Contact& contact, const char* state) {
   return std::ranges::any_of(extremum.conditions, [&](const Expression& condition) {
     const Call* call = condition.as<Call>();
-    return call && call->function == "sticking" && is_about(*call, contact.name);
+    return call && call->function == state && is_about(*call, contact.name);
   });
 }
+bool asks_to_stick(const Extremum& extremum, const Contact& contact) { return asks_of(extremum, contact, "sticking"); }
 
 // The contacts that conditions want to stick, which fail in all other states of these. That holds for what is tried
 // alone if no other state can take the place of one: none leaves smooth contacts and cords as they are where another
@@ -69,6 +70,12 @@ std::vector<std::string> wanted_to_stick(const Situation& situation, const Extre
 bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
   return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
     return contact.rubs() && (contact.grip != Grip::sticks || !asks_to_stick(extremum, contact));
+  });
+}
+
+bool leaves_touching_open(const Situation& situation, const Extremum& extremum) {
+  return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
+    return contact.touches() && !contact.rubs() && !contact.flies && !asks_of(extremum, contact, "touching");
   });
 }
 

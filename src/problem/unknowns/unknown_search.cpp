@@ -223,7 +223,12 @@ void UnknownSearch::leave_out_nonsense(RootsFound& found) const {
   }
   if (!sensible.empty()) {
     found.roots = std::move(sensible);
-    for (const std::string& reason : reasons) add_once(found.warnings, reason);
+    // In a blow, what is no solution in one case of cords and contacts that give way is sought in the others.
+    const bool by_cases = std::ranges::any_of(statement_.situations, [](const Situation& situation) {
+      return situation.has_blow() && !(situation.cords.empty() && situation.contacts.empty());
+    });
+    if (!by_cases)
+      for (const std::string& reason : reasons) add_once(found.warnings, reason);
   }
   if (found.alternative && objection(*found.alternative)) found.alternative.reset();
 }

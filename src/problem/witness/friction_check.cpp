@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "poinsot/engine/solve/instant/constraint_check.h"
+#include "problem/entries/read_joints.h"
 #include "problem/instant/instant.h"
 #include "problem/keys/joint_kinds.h"
 
@@ -16,8 +17,9 @@ namespace poinsot::problem {
 // it exceeds the limit at which it holds is weighed by the largest force, as of contacts, since its rounding is that of
 // the whole mechanism.
 double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) const {
-  const Joint& joint = *std::ranges::find(situation_.joints, contact.name, &Joint::name);
-  const Friction& stated = *joint.freedoms.front().friction;
+  const RubbingFreedom rubbing = rubbing_freedom(situation_.joints, contact.name);
+  const Joint& joint = rubbing.joint;
+  const Friction& stated = *rubbing.stated().friction;
   const Dimension dimension = contact.turning ? dimensions::moment : dimensions::force;
   const Vector3<double> axis = mechanism_state_->direction(contact.motions[1].along),
                         friction = rough_force(*mechanism_state_, unknowns_, contact).friction;
@@ -33,8 +35,16 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
   // How `to` turns over `from`, or how a point of it slides.
   const int on = machine_.index.at(joint.to), from = machine_.index.at(joint.from);
   const Workspace<double>& w = mechanism_state_->workspace();
-  const auto along = [&](const Vector3<double>& one, const Vector3<double>& other) { return dot(one - other, axis); };
-  const Vector3<double> P = mechanism_state_->position(machine_.joints.at(contact.name).at);
+  // Beside another axis about which the joint turns, the part that is no turning about that.
+  Vector3<double> measured = axis;
+  for (const Direction<double>& other : machine_.mechanism.drives[contact.drive].others) {
+    const Vector3<double> b = mechanism_state_->direction(other);
+    measured = (axis - dot(axis, b) * b) / (1 - dot(axis, b) * dot(axis, b));
+  }
+  const auto along = [&](const Vector3<double>& one, const Vector3<double>& other) {
+    return dot(one - other, measured);
+  };
+  const Vector3<double> P = mechanism_state_->position(machine_.joints.at(joint.name).at);
   const auto velocity_at = [&](int body) {
     const BodyMotion<double>& motion = w.motion[static_cast<std::size_t>(body + 1)];
     return motion.v + cross(motion.w, P - motion.p);

@@ -6,6 +6,7 @@
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/instant/instant.h"
+#include "problem/witness/stated_blows.h"
 #include "problem/witness/stated_forces.h"
 #include "problem/witness/stated_springs.h"
 
@@ -226,6 +227,9 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (rough_blow_) residuals.blow = rough_blow_misfit();
   if (before_ && !moving_ && !machine_.rough_contacts.empty()) residuals.friction = blow_friction_misfit();
   if (motion_) residuals.laws = std::max(law_misfit(), tooth_misfit());
+  if (before_ && !moving_ && !choice_.trial)
+    residuals.laws =
+        std::max(residuals.laws.value_or(0), misfit_of_blow(*before_, machine_, *data_, blow_, scales_.length));
   if (linearisation_) {
     const std::size_t stage = built_stage_.value_or(0);
     const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;

@@ -208,15 +208,31 @@ double SolvedInstant::belt_misfit() const {
   return worst;
 }
 
+namespace {
+
+solve::ParticlePaths paths_of(const solve::MechanismState& state, const Machine& machine, double reach) {
+  std::vector<solve::ParticlePaths::Body> bodies;
+  for (const auto& [link, mass] : machine.masses) bodies.push_back({link, &mass.particles});
+  return {machine.links, std::move(bodies), state.state().q, state.state().v, state.accelerations(), reach};
+}
+
+}  // namespace
+
+StatedForce drawn_force(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data, int body,
+                        const std::optional<Expression>& at, int axes, const Vector3<double>& drawn) {
+  const solve::ParticlePaths paths = paths_of(state, machine, 0);
+  StatedForce found;
+  found.force = paths.turn(axes) * widened(drawn);
+  found.at = paths.place(body, at ? widened(data.place(*at))
+                                  : StatedMotion(paths, machine, data, state.state().v, body).drawn_center(body));
+  return found;
+}
+
 // The check with particles takes the forces as the laws tell them: it sees no load that was read with the wrong sign.
 double misfit_of_laws(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,
                       const std::optional<std::vector<std::string>>& loads, double unit, double force) {
-  using solve::ParticlePaths;
   const Mechanism<double>& mechanism = machine.mechanism;
-  std::vector<ParticlePaths::Body> bodies;
-  for (const auto& [link, mass] : machine.masses) bodies.push_back({link, &mass.particles});
-  const ParticlePaths paths(machine.links, bodies, state.state().q, state.state().v, state.accelerations(),
-                            mechanism.attractions.empty() ? 0 : unit);
+  const solve::ParticlePaths paths = paths_of(state, machine, mechanism.attractions.empty() ? 0 : unit);
   // What cancels leaves rounding of its terms, of which other forces and those that turn the motion round in its own
   // time give the size: less of them than this is not seen.
   constexpr Real unseen = 1e-4L;

@@ -33,6 +33,11 @@ std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const 
                                        DataScope<double>& data, const std::vector<double>& v,
                                        const std::optional<std::vector<std::string>>& loads);
 
+// What acts at a place of a body as drawn, its mass center if none is given, and is drawn so on the axes of a body:
+// where it acts in a state, and along what.
+StatedForce drawn_force(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data, int body,
+                        const std::optional<Expression>& at, int axes, const Vector3<double>& drawn);
+
 // By how much what the laws of force exert in a state is otherwise than stated. unit: a length of the machine; force:
 // the largest of its forces.
 double misfit_of_laws(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data,

@@ -63,7 +63,7 @@ std::vector<MassProperties<S>> all_shapes(const std::array<S, 10>& u) {
       shapes::ellipsoid(A, a, c, d),
       shapes::torus(A, a, r, half),
       shapes::tetrahedron(A, B, C, D),
-      shapes::prism<S>({A, B, C}, d),
+      shapes::prism<S>({A, B, C}, Vector3<S>(D - A)),
       shapes::half_cylinder(A, B, r, b),
       shapes::paraboloid(A, B, r),
       solid_of_mesh(testing::tetrahedron_mesh(A, C, B, D)),

@@ -189,6 +189,22 @@ ask: {n: force(up on one)}
 }
 
 // Where all stands at one point no arm gives moments a size.
+// Two halves of a particle, welded somewhere else: their turning moves no mass and is none.
+TEST(SecondRoads, HalvesOfAParticleFallLikeOne) {
+  const std::string machine =
+      "title: t\ngiven: {r: 200 mm}\npoints: {O: [0, 0, 0], A: [-r, -4 m, 0], B: [r, -0.5 m, 0]}\nbodies:\n"
+      "  light: {particle: A, mass: 3 kg}\n  wheel: {disk: {center: O, normal: z, radius: r}, mass: 2 kg}\n";
+  const std::string rest = "joints:\n  axle: {revolute: z, at: O, to: wheel}\n";
+  const std::string cord =
+      "cords: {rope: {from: light, at: A, over: [wheel], to: heavy, end: B}}\ngravity: -y\n"
+      "instants: {now: rest}\nask: {y: center(light).y @ 1.7 s}\n";
+  const SolvedText whole(machine + "  heavy: {particle: B, mass: 5 kg}\n" + rest + cord);
+  const SolvedText halves(machine + "  heavy: {particle: B, mass: 2.5 kg}\n  half: {particle: B, mass: 2.5 kg}\n" +
+                          rest + "  seam: {weld: [0, 0, 0], from: heavy, to: half}\n" + cord);
+  EXPECT_NEAR(whole.number("y"), -4 + 0.5 * 2 * 9.80665 / 9 * 1.7 * 1.7, 1e-9);
+  EXPECT_NEAR(halves.number("y"), whole.number("y"), 1e-9);
+}
+
 TEST(SecondRoads, TwoParticlesAtTheOriginAreConfirmed) {
   const SolvedText solved(R"(
 points: {C: [0, 0, 0]}

@@ -132,9 +132,32 @@ TEST(FrictionInJoints, MistakesAreTold) {
     EXPECT_NE(failure.find(words), std::string::npos) << failure;
   };
   says(hinge("revolute: z, at: O, rate: 1 rad/s, accel: 0, friction: 2 N*m", ""), "rate:, accel: and friction");
-  says(hinge("ball: O, friction: 2 N*m", ""), "friction is stated at joints that only turn or only slide");
+  says(hinge("ball: O, friction: 2 N*m", ""), "friction is stated where something only turns or only slides");
+  says(hinge("cylindrical: z, at: O, friction: 2 N*m", ""), "friction is a couple or force in each of its freedoms");
+  says(hinge("cylindrical: z, at: O, freedoms: {slide: {rate: 0, friction: {coefficient: 0.2}}}", ""),
+       "rubs against its whole slip");
+  says(hinge("planar: z, at: O, freedoms: {slide1: {rate: 0, friction: 2 N}}", ""), "one of two slides in a plane");
+  says(hinge("ball: O, angles: [a: z, b: y, c: x], freedoms: {a: {rate: 0, friction: 2 N*m}}", ""),
+       "against its turning about whatever axis");
   says(hinge("revolute: z, at: O, rate: 0, friction: 0.3", ""), "states a pure number as its friction");
   says(hinge("revolute: z, at: O, rate: 0, friction: -2 N*m", ""), "joint 'hinge' has a negative friction");
+}
+
+// Each of several freedoms is held or rubs by itself, whatever the others do.
+TEST(FrictionInJoints, OfOneOfSeveralFreedoms) {
+  const SolvedText solved(
+      "given: {m: 2 kg, F: 12 N, M: 0.03 N*m, w: 30 rad/s, I: 0.002 kg*m^2}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {collar: {mass: m, center: O, inertia: {axis: y, axial: I, transverse: I}}}\n"
+      "joints: {post: {cylindrical: y, at: O, to: collar, freedoms: {slide: {displacement: s, rate: 0, friction: 2*F}, "
+      "turn: {angle: q, rate: w, friction: M}}}}\ngravity: -y\n"
+      "ask: {held: sticking(slide of post), F: friction(slide of post on collar), al: q'', "
+      "t: {first_time: sticking(turn of post)}, turned: q @ 10 s, s: s @ 10 s}\n");
+  EXPECT_TRUE(solved.ask("held").value.truth);
+  EXPECT_NEAR(solved.ask("F").value.vector.y, 2 * 9.80665, 1e-9);
+  EXPECT_NEAR(solved.ask("al").value.number, -0.03 / 0.002, 1e-9);
+  EXPECT_NEAR(solved.ask("t").value.number, 30 * 0.002 / 0.03, 1e-9);
+  EXPECT_NEAR(solved.ask("turned").value.number, 0.002 * 900 / (2 * 0.03), 1e-8);
+  EXPECT_NEAR(solved.ask("s").value.number, 0, 1e-12);
 }
 
 // A couple that is limited has no impulse: after the blow it brakes, J L/Q long.

@@ -39,7 +39,9 @@ TEST(MotionHolds, BounceAfterBounceIsTouchingAndParting) {
 }
 
 TEST(MotionHolds, ABallRestsWithoutRebound) {
-  const SolvedText solved(dropped(0, 0, "t: {times: touching(floor), from: 0 s, to: 2 s}"));
+  const SolvedText solved(dropped(
+      0, 0, "t: {times: touching(floor), from: 0 s, to: 2 s}, apart: {times: parting(floor), from: 0.1 s, to: 2 s}"));
+  EXPECT_EQ(solved.found("apart").value.items.size(), 1U);  // the start of the span
   ASSERT_EQ(solved.found("t").value.items.size(), 1U);
   EXPECT_NEAR(solved.found("t").value.items.at(0).number, std::sqrt(1 / g), 1e-9);
 }
@@ -47,7 +49,7 @@ TEST(MotionHolds, ABallRestsWithoutRebound) {
 // A ladder leaves its wall at two thirds of the height from which it slides.
 TEST(MotionHolds, ALadderLeavesItsWall) {
   const SolvedText solved(
-      "title: t\nplane: [x, y]\ngiven: {b: 25 deg}\npoints: {A: '[0, 2 m*cos(b)]', B: '[2 m*sin(b), 0]'}\n"
+      "title: t\nplane: [x, y]\ngiven: {b: 25 deg}\npoints: {A: '[0, 2 m * cos(b)]', B: '[2 m * sin(b), 0]'}\n"
       "bodies: {rod: {rod: [A, B], mass: 3 kg}}\n"
       "contacts: {wall: {of: rod, at: A, normal: x}, floor: {of: rod, at: B, normal: y}}\ngravity: -y\n"
       "instants: {start: rest, leaves: {first_time: parting(wall)}}\n"
@@ -81,7 +83,7 @@ TEST(MotionHolds, WhatIsNotThereIsNamed) {
 TEST(MotionHolds, TheTurningOfWhatFliesFreeNeedsNoFlight) {
   const SolvedText solved(
       "title: t\npoints: {G: [0, 0, 0], A: [0.1 m, 0, 0]}\n"
-      "bodies: {plate: {rectangle: {center: G, sides: ['0.3 m*x', '0.3 m*y']}, mass: 2 kg}}\n"
+      "bodies: {plate: {rectangle: {center: G, sides: [0.3 m * x, 0.3 m * y]}, mass: 2 kg}}\n"
       "facts: {angular_velocity(plate): [5 rad/s, 0, 5 rad/s]}\ngravity: -z\n"
       "ask: {w: angular_velocity(plate) @ 0.7 s, v: velocity(plate) @ 0.7 s, p: position(A of plate) @ 0.001 s,\n"
       "  r: position(A of plate) @ 0.7 s - center(plate) @ 0.7 s, T: kinetic_energy(plate) @ 0.7 s}\n");

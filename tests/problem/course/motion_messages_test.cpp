@@ -26,6 +26,52 @@ TEST(MotionMessages, AnEventThatHoldsFromTheStartOn) {
   EXPECT_NEAR(down.number("th"), std::numbers::pi / 6, 1e-10);
 }
 
+// Two sides that stay equal tell no time, whatever rounding makes of them: of a bar that turns about a slanting axis
+// nothing is exact.
+TEST(MotionMessages, SidesThatStayEqual) {
+  const std::string slanting =
+      "title: t\npoints: {O: [0, 0, 0]}\ndirections: {n: [1, 2, 2], k: [0, 1, -1]}\n"
+      "bodies: {bar: {rod: [O, O - 1 m * k], mass: 2 kg}}\n"
+      "joints: {pin: {revolute: n, at: O, to: bar, angle: th}}\ngravity: -y\n"
+      "instants: {start: {th: 10 deg, th': 0}}\n";
+  const SolvedText solved(slanting +
+                          "ask:\n"
+                          "  first: {first_time: component(center(bar) along n) == 0 m}\n"
+                          "  at_most: {first_time: distance(center(bar) to O) <= 0.5 m}\n"
+                          "  less: {first_time: distance(center(bar) to O) < 0.5 m}\n"
+                          "  more: {first_time: distance(center(bar) to O) > 0.5 m}\n"
+                          "  times: {times: component(center(bar) along n) == 0 m, from: 0 s, to: 1 s}\n"
+                          "  period: period(component(center(bar) along n))\n");
+  EXPECT_EQ(solved.number("first"), 0);
+  EXPECT_EQ(solved.number("at_most"), 0);
+  for (const std::string name : {"less", "more"})
+    EXPECT_NE(solved.reason(name).find("its two sides stay equal"), std::string::npos) << solved.reason(name);
+  EXPECT_EQ(solved.reason("times"),
+            "'component(center(bar) along n) == 0 m' holds all the time from 0 s to 1 s, and so at no single times");
+  EXPECT_NE(solved.reason("period").find("does not change: it has no period"), std::string::npos);
+}
+
+// Nor do they end a stage, at which rounding alone would decide.
+TEST(MotionMessages, SidesThatStayEqualEndNoStage) {
+  for (const char* until : {"center(bob).z == 0 m", "th == th", "distance(center(bob) to O) == L"}) {
+    const SolvedText solved(pendulum + "stages: {run: {until: " + until +
+                            "}, then: {lasts: 1 s}}\nask: {th: th @ run.end}\n");
+    EXPECT_NE(solved.reason("th").find("stay equal"), std::string::npos) << solved.reason("th");
+  }
+}
+
+// Of a cart that rests until a load acts it is not told when it ceases to rest, but when it comes somewhere.
+TEST(MotionMessages, SidesThatPartLater) {
+  const SolvedText solved(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {cart: {particle: O, mass: 2 kg}}\n"
+      "joints: {rail: {prismatic: x, at: O, to: cart, displacement: u}}\nloads: {push: {force: [4 N, 0, 0], body: "
+      "cart}}\n"
+      "gravity: none\ninstants: {start: rest}\nstages: {still: {lasts: 30 s, loads: []}, moved: {loads: [push]}}\n"
+      "ask: {t: {first_time: u > 0 m}, s: {first_time: u > 1 m}}\n");
+  EXPECT_NE(solved.reason("t").find("does not happen up to"), std::string::npos) << solved.reason("t");
+  EXPECT_NEAR(solved.number("s"), 31, 1e-9);
+}
+
 TEST(MotionMessages, ATableOverWhatIsNeverReached) {
   const SolvedText solved(pendulum + "ask: {t: {table: {w: th'}, over: {th: '[20 deg, 60 deg]'}}}\n");
   const std::string reason = solved.reason("t");

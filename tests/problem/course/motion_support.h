@@ -12,14 +12,20 @@
 
 #include "problem/answers/solve_statement.h"
 #include "problem/language/failure.h"
+#include "problem/plane/planar_statement.h"
 
 namespace poinsot::problem {
+
+inline Statement in_its_plane(Statement statement) {
+  restrict_to_plane(statement);
+  return statement;
+}
 
 // The only solution of a problem, by the names of its asks.
 class SolvedText {
  public:
   explicit SolvedText(const std::string& text, const std::vector<std::pair<std::string, std::string>>& sets = {})
-      : statement_(read_statement(text, "test.yaml")), solved_(solve_statement(statement_, sets)) {
+      : statement_(in_its_plane(read_statement(text, "test.yaml"))), solved_(solve_statement(statement_, sets)) {
     EXPECT_EQ(solved_.solutions.size(), 1U) << text;
   }
 

@@ -41,6 +41,21 @@ TEST(SensitiveClosedForms, OnTheSeparatrixNothingIsExceeded) {
   }
 }
 
+// A pendulum with just the speed that leads to its highest place: whether it goes over it or falls back is rounding.
+TEST(SensitiveClosedForms, APendulumThatJustReachesItsHighestPlaceHasNoSlowestRate) {
+  const auto solved_at = [](double part) {
+    return SolvedText(
+        "title: t\ngiven: {v: " + std::to_string(part) +
+        "*sqrt(6*9.80665 m/s^2/(1 m))}\npoints: {O: [0, 0, 0], A: [0, -1 m, 0]}\n"
+        "bodies: {bar: {rod: [O, A], mass: 2 kg}}\njoints: {pin: {revolute: z, at: O, to: bar, angle: th}}\n"
+        "gravity: -y\ninstants: {start: {th: 0, th': v}}\nask: {slowest: min(th'), fastest: max(th')}\n");
+  };
+  const SolvedText just = solved_at(1);
+  EXPECT_NE(just.reason("slowest").find("so sensitive"), std::string::npos) << just.reason("slowest");
+  EXPECT_NEAR(solved_at(0.999).number("slowest"), -0.999 * std::sqrt(6 * 9.80665), 1e-8);
+  EXPECT_GT(solved_at(1.001).number("slowest"), 0);
+}
+
 // Data that are on the separatrix exactly stay there.
 TEST(SensitiveClosedForms, OnTheSeparatrixABodyIsAtItsIntermediateAxisInTheEnd) {
   for (const double time : {50.0, 200.0}) {

@@ -362,6 +362,41 @@ ask: {F: force(s on bar)}
 )",
        "test.yaml:3:11: error: spring 's' joins 'bar' to itself (name two bodies, or ground, under from: and to:)",
        {}},
+      {"AContactOfABodyWithItself",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+contacts: {c: {of: bar, against: bar, at: A, normal: y}}
+ask: {a: acceleration(bar)}
+)",
+       "test.yaml:3:12: error: contact 'c' is between 'bar' and itself (name two bodies, or ground)",
+       {}},
+      {"AnImpactOfABodyWithItself",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+impacts: {c: {of: bar, against: bar, at: A, pushes: y}}
+ask: {a: velocity(bar)}
+)",
+       "test.yaml:3:11: error: impact 'c' is between 'bar' and itself (name two bodies, or ground)",
+       {}},
+      {"ACordOnOneBody",
+       R"(points: {O: [0, 0, 0], A: [0, -1 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 2 kg}}
+cords: {c: {from: bar, at: O, to: bar, end: A}}
+ask: {a: acceleration(bar)}
+)",
+       "test.yaml:3:9: error: cord 'c' is between 'bar' and itself (name two bodies, or ground)",
+       {}},
+      {"ANumberForAnAngularVelocity",
+       R"(given: {w: 5 rad/s}
+points: {O: [0, 0, 0]}
+bodies: {ball: {sphere: {center: O, radius: 1 m}, mass: 2 kg}}
+gravity: none
+facts: {angular_velocity(ball): w}
+ask: {T: kinetic_energy(ball)}
+)",
+       "test.yaml:5:33: error: expected an angular velocity in three components, a vector, not a number (give 'w' "
+       "three components where it is stated, or write [0, 0, w] for one that has this size)",
+       {}},
       {"AContactAgainstAParticle",
        R"(points: {O: [0, 0, 0], C: [0, 0.1 m, 0]}
 bodies: {ball: {sphere: {center: C, radius: 0.1 m}, mass: 2 kg}, peg: {particle: O, mass: 1 kg}}
@@ -1267,7 +1302,7 @@ TEST(WithoutAnswer, SupportsThatShareALoad) {
                               "A: [x, z], C: [x, z]}}}\n"
                               "ask: {a: reaction(A).x, b: force(shaft on disk)}\n");
   EXPECT_EQ(found[0].state, AskState::undetermined);
-  EXPECT_NE(found[0].reason.find("force(O) along x, force(A) along x and force(C) along x share the same load"),
+  EXPECT_NE(found[0].reason.find("force(A) along x, force(O) along x and force(C) along x share the same load"),
             std::string::npos)
       << found[0].reason;
   EXPECT_EQ(found[1].state, AskState::found);

@@ -13,6 +13,7 @@
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
 #include "problem/equations/traced_machine.h"
 #include "problem/language/tree.h"
+#include "problem/plane/planar_statement.h"
 
 namespace poinsot::problem {
 namespace equations_test {
@@ -25,7 +26,9 @@ EquationsOptions with(Set set) {
 }
 
 std::string text_of(const std::string& problem, const EquationsOptions& options = {}) {
-  return equations_text(read_statement(problem, "x.yaml"), options);
+  Statement statement = read_statement(problem, "x.yaml");
+  restrict_to_plane(statement);
+  return equations_text(statement, options);
 }
 
 const char* const pendulum = R"(letters: {m: kg, L: m}
@@ -61,6 +64,40 @@ TEST(Equations, ADatumCanStayALetter) {
                             })),
                     "parameters[0]  L, m"));
   EXPECT_THROW(text_of(problem, with([](auto& o) { o.letters = {"M"}; })), StatementError);
+}
+
+// A crate that slides and tips on its rough edge, by Newton and Euler for three freedoms of its plane.
+TEST(Equations, OfWhatSlidesHaveItsFriction) {
+  const std::string crate = R"(plane: [x, y]
+letters: {m: kg, I: kg*m^2, mu: 1, v: m/s}
+points: {A: [0, 0], G: [0.3 m, 0.4 m]}
+bodies: {crate: {mass: m, center: G, inertia: {z: I}}}
+contacts: {edge: {of: crate, corner: A, normal: y, friction: mu}}
+gravity: -y
+facts: {velocity(crate): [v, 0], angular_velocity(crate): 0}
+ask: {a: acceleration(crate)}
+)";
+  const std::string text = text_of(crate);
+  EXPECT_TRUE(holds(text, "while contact 'edge' slides along x and presses")) << text;
+  EXPECT_TRUE(holds(text, "M dv/dt = F + B y")) << text;
+  const EquationsOptions forward = with([](auto& o) { o.parts = {EquationPart::forward_dynamics}; });
+  EXPECT_FALSE(text_of(crate, forward).empty());
+  try {
+    text_of(crate, with([](auto& o) { o.parts = {EquationPart::reduced}; }));
+    ADD_FAILURE() << "reduced equations of what slides";
+  } catch (const NoEquations& error) {
+    EXPECT_TRUE(holds(error.what(), "do work"));
+  }
+  std::string open = crate;
+  open.replace(open.find("facts: "), open.find("ask:") - open.find("facts: "),
+               "instants: {now: rest}\n"
+               "loads: {pull: {force: [m*v/(1 s), 0], at: A, body: crate}}\n");
+  try {
+    text_of(open);
+    ADD_FAILURE() << "equations of several states";
+  } catch (const NoEquations& error) {
+    EXPECT_TRUE(holds(error.what(), "contact 'edge' carries other forces")) << error.what();
+  }
 }
 
 // Of all letters only some are a body's.

@@ -231,7 +231,7 @@ TEST(ScalingLaw, LawsOfRandomPendulumsHoldAtOtherLetters) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  constexpr int pendulums = testing::case_count(12);
+  constexpr int pendulums = poinsot::testing::case_count(12);
   int laws = 0;
   for (int i = 0; i < pendulums; ++i) {
     const bool twisted = i % 2 == 0;

@@ -148,7 +148,7 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   Random random(431);
   std::map<std::size_t, int> counts;
   int done = 0, failures = 0;
-  while (done < testing::case_count(1000)) {
+  while (done < poinsot::testing::case_count(1000)) {
     const Hinged hinged(random);
     const auto expected = hinged.scanned();
     if (!expected) continue;
@@ -169,7 +169,8 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   }
   EXPECT_EQ(failures, 0);
   // The cases are worth something: none, one and several angles all occur.
-  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GT(counts[roots], testing::case_count(30) / 10) << roots;
+  for (std::size_t roots = 0; roots <= 4; ++roots)
+    EXPECT_GT(counts[roots], poinsot::testing::case_count(30) / 10) << roots;
 }
 
 }  // namespace equilibria_test

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "problem/language/evaluate_support.h"
 #include "problem/language/failure.h"
 
 namespace poinsot::problem {
@@ -305,7 +306,10 @@ TEST(Evaluate, WhatCanNeverBeRightIsNoDomainError) {
       {"0 s .. 1 s by 0.1 s", "f:1:5: error: a range is no value (it stands under 'over:' of a table)"},
       {"F @ start", "f:1:3: error: there are no instants here, so '@' has no meaning"},
       {"A of plate", "f:1:3: error: nothing rides on bodies here, so 'of' has no meaning"},
-      {"r->A", "f:1:1: error: expected a length in three components, a vector, not a number (write it as [a, b, c])"},
+      {"r->A",
+       "f:1:1: error: expected a length in three components, a vector, not a number (give 'r' three components where "
+       "it is stated, or write [0, 0, r] for one that has this "
+       "size)"},
       {"crss(A with B)", "f:1:1: error: there is no function 'crss' (did you mean 'cross'?)"},
       {"velocty(A)", "f:1:1: error: there is no function 'velocty' (did you mean 'velocity'?)"},
       {"cross(A to B)", "f:1:1: error: 'cross' is not called like this (write cross(u with v))"},
@@ -322,6 +326,16 @@ TEST(Evaluate, WhatCanNeverBeRightIsNoDomainError) {
     } catch (const StatementError&) {
     }
   }
+}
+
+TEST(Evaluate, AHintNamesWhatWasWritten) {
+  const auto hint = [](const std::string& call) {
+    const Expression written = parse_expression(call, "f");
+    return describe_unknown_call(*written.as<Call>(), {"frequencies", "norm"}).hint;
+  };
+  EXPECT_EQ(hint("frequency(lower)"), "write frequencies(lower)");
+  EXPECT_EQ(hint("arcsin(a/b)"), "write asin(a/b)");
+  EXPECT_EQ(hint("frequency(lower to upper)"), "write frequencies(plate)");
 }
 
 TEST(Evaluate, CallsOfTheScope) {

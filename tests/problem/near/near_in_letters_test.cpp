@@ -29,6 +29,41 @@ std::string cart(const std::string& asks) {
          asks + "}\n";
 }
 
+// Jeffcott's rotor, with its weight across the shaft that an unbalance does not feel, and a force that goes against the
+// spin.
+TEST(NearInLetters, AnUnbalanceAndAForceThatGoesRound) {
+  const SolvedText solved(
+      "title: t\nletters: {m: kg, k: N/m, q: N/m, c: N*s/m, U: kg*m, F: N, n: rad/s, w: rad/s}\n"
+      "points: {O: [0, 0, 0]}\nbodies:\n  hub: massless\n"
+      "  disk: {mass: m, center: O, inertia: {axis: z, axial: 0.2 kg*m^2, transverse: 0.1 kg*m^2}}\n"
+      "joints:\n  shaft:\n    planar: z\n    at: O\n    to: hub\n    freedoms:\n"
+      "      slide1: {displacement: u, spring: {stiffness: k}, damping: c}\n"
+      "      slide2: {displacement: v, spring: {stiffness: q}, damping: c}\n"
+      "      turn: {angle: 0 deg, rate: 0, accel: 0}\n"
+      "  axle: {revolute: z, at: O, from: hub, to: disk, rate: n, accel: 0}\n"
+      "excitations:\n  heavy: {unbalance: U, along: x, body: disk}\n"
+      "  back: {force: F, along: x, at: O, turns: -z, body: hub, frequency: w}\n"
+      "gravity: none\nsteady: {frame: ground, spins: {disk: {about: z, rate: n}}}\n"
+      "ask: {u: response(u to heavy), v: response(v to heavy), back: response(v to back)}\n");
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> draw(0.5, 2);
+  const std::complex<double> i(0, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const double m = draw(random), k = draw(random), q = draw(random), c = draw(random), U = draw(random),
+                 F = draw(random), n = draw(random), w = draw(random);
+    const LetterValues at{{"m", m}, {"k", k}, {"q", q}, {"c", c}, {"U", U}, {"F", F}, {"n", n}, {"w", w}};
+    const auto near = [&](const std::string& name, const std::complex<double>& swing) {
+      const auto& items = formula(solved, name).items;
+      ASSERT_EQ(items.size(), 2U);
+      EXPECT_NEAR(value_at(items[0].number, at), std::abs(swing), 1e-12 * std::abs(swing)) << name;
+      EXPECT_NEAR(std::remainder(value_at(items[1].number, at) - std::arg(swing), 2 * std::acos(-1)), 0, 1e-11) << name;
+    };
+    near("u", U * n * n / (k - m * n * n + i * c * n));
+    near("v", -i * U * n * n / (q - m * n * n + i * c * n));
+    near("back", i * F / (q - m * w * w + i * c * w));
+  }
+}
+
 TEST(NearInLetters, ADampedSwingAndItsResponse) {
   const SolvedText solved(
       "title: t\nletters: {m: kg, k: N/m, c: N*s/m, F: N, w: rad/s}\npoints: {A: [0, 0, 0]}\n"

@@ -91,6 +91,18 @@ TEST(CasesOfUnknowns, ABlowThatLeavesTheCordSlack) {
   expect_roots(struck_bob("velocity(bob).x: -1.5 m/s"), {-3});
 }
 
+// What is no solution in one case, as the other sign is while the cord is slack, is not told.
+TEST(CasesOfUnknowns, WhatIsNoSolutionInOneCaseIsNoWarning) {
+  const Solved found = solved(
+      "find: {J: N*s}\nwhere: [-50 N*s < J < 50 N*s]\npoints: {O: [0, 0, 0], B: [0, -1 m, 0]}\n"
+      "bodies: {b: {particle: B, mass: 2 kg}}\ncords: {c: {from: ground, at: O, to: b, end: B}}\n"
+      "impulses: {k: {body: b, value: [3 N*s, J, 0]}}\ngravity: none\n"
+      "instants: {before: rest, after: {kinetic_energy(b): 4 J}}\nask: {J: J}\n");
+  ASSERT_EQ(found.roots.size(), 1U);
+  EXPECT_NEAR(found.roots[0], std::sqrt(7.0), 1e-9);
+  EXPECT_EQ(found.warnings, "");
+}
+
 // Both cases have a root: against the taut cord the impulse of the cord is asked, which for J < 0 is zero.
 TEST(CasesOfUnknowns, ABlowWithRootsInBothCases) {
   expect_roots(struck_bob("'abs(velocity(bob).x - 1 m/s) + norm(impulse(c on bob))/1 kg': 3 m/s"), {-4, 2});

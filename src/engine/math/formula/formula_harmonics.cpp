@@ -83,9 +83,16 @@ struct Wave {
   Polynomial sine;
 };
 
-// Each exponential with its opposite.
-std::vector<Wave> waves_of(const Amplitudes& amplitudes, const Generators& generators, const Angles& angles) {
+struct Waves {
+  Polynomial constant;
   std::vector<Wave> waves;
+};
+
+// Each exponential with its opposite. Where angles cancel, as twice a and that of a letter that is 2 a, it is constant.
+Waves waves_of(const Amplitudes& amplitudes, const Generators& generators, const Angles& angles) {
+  Waves found{Polynomial(angles.variables()), {}};
+  const auto still = amplitudes.find(Exponents(angles.tangents.size(), 0));
+  if (still != amplitudes.end()) found.constant = still->second.real;
   for (const auto& [wave, amplitude] : amplitudes) {
     const auto first = std::find_if(wave.begin(), wave.end(), [](int k) { return k != 0; });
     if (first == wave.end() || *first < 0 || (amplitude.real.is_zero() && amplitude.imaginary.is_zero())) continue;
@@ -94,15 +101,19 @@ std::vector<Wave> waves_of(const Amplitudes& amplitudes, const Generators& gener
       const Generator& g = *generators[angles.tangents[k]];
       angle += Formula(wave[k]) * ratio_formula(g.multiple) * g.argument;
     }
+    if (angle.is_zero()) {
+      found.constant = found.constant + scaled(amplitude.real, Integer(2));
+      continue;
+    }
     const bool negative = angle.fraction()->numerator.leading_sign() < 0;
     if (negative) angle = -angle;
     const Formula half = angle / 2;
     std::optional<Form> half_angle;
     if (half.fraction()->denominator.is_one()) half_angle = form_of(half);
     const Polynomial sine = scaled(amplitude.imaginary, Integer(2));
-    waves.push_back({form_of(angle), half_angle, scaled(amplitude.real, Integer(2)), negative ? sine : -sine});
+    found.waves.push_back({form_of(angle), half_angle, scaled(amplitude.real, Integer(2)), negative ? sine : -sine});
   }
-  return waves;
+  return found;
 }
 
 // How cosines of twice an angle are written.
@@ -113,9 +124,7 @@ enum class Doubled { cosine, sine_square, cosine_square };
 std::vector<TrigonometricSum> harmonic_sums(const Generators& generators, const Polynomial& p, const Angles& angles,
                                             int twos, const std::vector<Form>& variables) {
   const std::size_t n = angles.variables();
-  const Amplitudes amplitudes = amplitudes_of(p, angles, twos);
-  const std::vector<Wave> waves = waves_of(amplitudes, generators, angles);
-  const auto constant = amplitudes.find(Exponents(angles.tangents.size(), 0));
+  const auto [constant, waves] = waves_of(amplitudes_of(p, angles, twos), generators, angles);
   const std::size_t all = n + 2 * waves.size();
   std::vector<int> places(n);
   for (std::size_t i = 0; i < n; ++i) places[i] = static_cast<int>(i);
@@ -125,8 +134,7 @@ std::vector<TrigonometricSum> harmonic_sums(const Generators& generators, const 
   std::vector<TrigonometricSum> sums;
   for (const Doubled doubled : {Doubled::cosine, Doubled::sine_square, Doubled::cosine_square}) {
     if (doubled != Doubled::cosine && !any_half) continue;
-    TrigonometricSum sum{Polynomial(all), variables, 2 * twos};
-    if (constant != amplitudes.end()) sum.polynomial = constant->second.real.moved(places, all);
+    TrigonometricSum sum{constant.moved(places, all), variables, 2 * twos};
     for (const Wave& wave : waves) {
       const std::size_t place = sum.variables.size();
       Polynomial cosine = Polynomial::variable(all, place);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -39,10 +40,8 @@ Matrix matrix(const Rows<double>& rows) {
       n, n, [&](Index i, Index k) { return Real(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]); });
 }
 
-bool vanishes(const Mode& mode) { return !(std::hypot(mode.growth_rate, mode.frequency) > mode.doubt); }
-
 bool is_doubtful(const Mode& mode) {
-  return vanishes(mode) || mode.doubt > decisive * std::hypot(mode.growth_rate, mode.frequency);
+  return is_neutral(mode) || mode.doubt > decisive * std::hypot(mode.growth_rate, mode.frequency);
 }
 
 class Lineariser {
@@ -103,7 +102,7 @@ class Lineariser {
     std::vector<Vector> alone = displacements(scale_);
     find_all_modes(result, alone);
     // Bodies that are coupled, as the wheels of a train, lead to the same motion again only together.
-    if (std::ranges::any_of(result.modes, vanishes)) {
+    if (std::ranges::any_of(result.modes, is_neutral)) {
       const std::vector<Vector> together = displacements_together(alone);
       alone.insert(alone.end(), together.begin(), together.end());
       if (!together.empty()) find_all_modes(result, alone);
@@ -134,6 +133,16 @@ class Lineariser {
     // A symmetry brings a conserved momentum, and with it one more eigenvalue zero that says nothing about stability.
     leave_out(result, same.momenta);
     if (std::ranges::any_of(result.modes, is_doubtful)) look_without_momenta(result, reduced, basis, same.momenta);
+    if (const double slowest = slowest_beside_drifts(result); slowest > 0) {
+      const std::vector<Mode> with_drifts = result.modes;
+      look_without_drifts(result, reduced, basis, same.momenta);
+      // No rate that was known may be lost, nor a slow one taken for a drift.
+      const auto known = [](const std::vector<Mode>& modes) {
+        return std::ranges::count_if(modes, std::not_fn(is_neutral));
+      };
+      if (known(result.modes) != known(with_drifts) || !(std::abs(slowest_rate(result.modes) / slowest - 1) <= 1e-3))
+        result.modes = with_drifts;
+    }
     for (const double frequency : same.going_round) result.modes.push_back({0, frequency * result.pace, 0, {}});
     std::sort(result.modes.begin(), result.modes.end(), [](const Mode& one, const Mode& other) {
       return one.growth_rate != other.growth_rate ? one.growth_rate > other.growth_rate
@@ -244,20 +253,33 @@ class Lineariser {
   // each other. This computes the modes again without the directions n for which A n vanishes within its doubt: these
   // are motions with other momenta, and A has the other eigenvalues on their complement.
   void look_without_momenta(Linearisation& result, const Doubted& A, const Matrix& basis, Index momenta) const {
-    const Eigen::JacobiSVD<Matrix> svd(A.value, Eigen::ComputeFullV);
-    const Matrix& all = svd.matrixV();
-    Index count = 0;
-    Matrix doubt = A.doubt;
-    for (; count < all.cols(); ++count) {
-      const Vector n = all.col(all.cols() - 1 - count), left = (A.value * n).cwiseAbs(), size = n.cwiseAbs();
-      if (!((left - 10 * (A.doubt * size)).array() <= 0).all()) break;
-      doubt += left * size.transpose();
-    }
+    const VanishingDirections taken = vanishing_directions(A);
+    const Index count = taken.directions.cols();
     // If more directions vanish than there are momenta, some of them are slow motions, and this way is closed.
     if (count == 0 || count > momenta) return;
-    const Matrix others = complement(all.rightCols(count)), size = others.cwiseAbs();
-    find_modes(result, {between(others, A.value, others), between(size, doubt, size)}, basis * others);
+    find_modes(result, taken.rest, basis * taken.others);
     leave_out(result, momenta - count);
+  }
+
+  // Rates that vanish and disturb each other, as those of a sleigh's heading, are known to no digit one by one.
+  // What leads nowhere is taken out, then what leads into that, and so on: A has the other rates on what is left.
+  void look_without_drifts(Linearisation& result, Doubted A, Matrix basis, Index momenta) const {
+    Matrix drifts(basis.rows(), 0);
+    for (VanishingDirections taken = vanishing_directions(A); taken.directions.cols() > 0;
+         taken = vanishing_directions(A)) {
+      const Matrix directions = basis * taken.directions;
+      drifts.conservativeResize(Eigen::NoChange, drifts.cols() + directions.cols());
+      drifts.rightCols(directions.cols()) = directions;
+      basis = basis * taken.others;
+      A = taken.rest;
+    }
+    find_modes(result, A, basis);
+    for (Index k = 0; k < drifts.cols(); ++k) {
+      const Eigen::VectorXd moved = drifts.col(k).cwiseAbs().cast<double>();
+      result.modes.emplace_back();
+      for (int i = 0; i < tree_.body_count(); ++i) result.modes.back().moves.push_back(moves(i, moved));
+    }
+    leave_out(result, momenta);
   }
 
   // Deviations that differ by an unseen motion are the same. Of these, the one is looked at whose chosen coordinate
@@ -414,7 +436,7 @@ class Lineariser {
       const auto least = std::min_element(result.modes.begin(), result.modes.end(), [](const Mode& a, const Mode& b) {
         return std::hypot(a.growth_rate, a.frequency) < std::hypot(b.growth_rate, b.frequency);
       });
-      if (least == result.modes.end() || !vanishes(*least)) return;
+      if (least == result.modes.end() || !is_neutral(*least)) return;
       result.modes.erase(least);
     }
   }
@@ -439,12 +461,6 @@ class Lineariser {
   Vector coupled_;  // the possible error of deviations that follow from others
 };
 
-template <class Use>
-void of_body(const Linearisation& linearisation, int body, Use&& use) {
-  for (const Mode& mode : linearisation.modes)
-    if (!mode.moves.empty() && (body == everything || mode.moves[static_cast<std::size_t>(body)])) use(mode);
-}
-
 }  // namespace
 
 Linearisation linearise(const SteadyMotion& motion) { return Lineariser(motion).linearise(); }
@@ -457,30 +473,14 @@ std::optional<AllowedDeviations> allowed_deviations(const SteadyMotion& motion) 
 
 Stability stability(const Linearisation& linearisation, int body) {
   Stability found = Stability::stable;
-  of_body(linearisation, body, [&](const Mode& mode) {
+  for (const Mode& mode : linearisation.modes) {
+    if (mode.moves.empty() || (body != everything && !mode.moves[static_cast<std::size_t>(body)])) continue;
     const bool grows = mode.growth_rate > mode.doubt, dies_out = mode.growth_rate < -mode.doubt;
     if (grows)
       found = Stability::unstable;
     else if (found == Stability::stable && !dies_out && is_doubtful(mode))
       found = Stability::undecided;
-  });
-  return found;
-}
-
-double growth_rate(const Linearisation& linearisation, int body) {
-  double largest = 0;
-  of_body(linearisation, body, [&](const Mode& mode) {
-    if (mode.growth_rate > mode.doubt) largest = std::max(largest, mode.growth_rate);
-  });
-  return largest;
-}
-
-std::vector<double> frequencies(const Linearisation& linearisation, int body) {
-  std::vector<double> found;
-  of_body(linearisation, body, [&](const Mode& mode) {
-    if (mode.frequency > mode.doubt) found.push_back(mode.frequency);
-  });
-  std::sort(found.begin(), found.end());
+  }
   return found;
 }
 

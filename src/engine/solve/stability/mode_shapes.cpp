@@ -80,10 +80,48 @@ std::vector<ToldMode> told_modes(const Linearisation& linearisation, int body) {
   return told;
 }
 
+double growth_rate(const Linearisation& linearisation, int body) {
+  double largest = 0;
+  for (const Mode& mode : linearisation.modes)
+    if (has_body(mode, body) && mode.growth_rate > mode.doubt) largest = std::max(largest, mode.growth_rate);
+  return largest;
+}
+
+std::vector<double> frequencies(const Linearisation& linearisation, int body) {
+  std::vector<double> found;
+  for (const Mode& mode : linearisation.modes)
+    if (has_body(mode, body) && mode.frequency > mode.doubt) found.push_back(mode.frequency);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 int vanishing_modes(const Linearisation& linearisation, int body) {
   return static_cast<int>(std::ranges::count_if(linearisation.modes, [&](const Mode& mode) {
     return has_body(mode, body) && !(std::abs(mode.growth_rate) > mode.doubt || mode.frequency > mode.doubt);
   }));
+}
+
+bool is_neutral(const Mode& mode) { return !(std::hypot(mode.growth_rate, mode.frequency) > mode.doubt); }
+
+double slowest_rate(const std::vector<Mode>& modes) {
+  double slowest = 0;
+  for (const Mode& mode : modes) {
+    const double size = std::hypot(mode.growth_rate, mode.frequency);
+    if (!is_neutral(mode) && (slowest <= 0 || size < slowest)) slowest = size;
+  }
+  return slowest;
+}
+
+double slowest_beside_drifts(const Linearisation& linearisation) {
+  // Rates that vanish together come out as roots of their rounding: parts of the pace, and of the other rates.
+  constexpr double slow = 1e-3;
+  double drift = -1;
+  for (const Mode& mode : linearisation.modes) {
+    const double size = std::hypot(mode.growth_rate, mode.frequency);
+    if (!(mode.doubt <= slow * linearisation.pace) && size <= slow * linearisation.pace) drift = std::max(drift, size);
+  }
+  const double slowest = slowest_rate(linearisation.modes);
+  return drift >= 0 && drift <= slow * slowest ? slowest : 0;
 }
 
 }  // namespace poinsot::solve

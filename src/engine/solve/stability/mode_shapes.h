@@ -29,4 +29,11 @@ RateMotion motion_of_rate(const Matrix& A, std::complex<Real> rate);
 // slopes are differences, are then still good to a few digits.
 constexpr Real apart_enough = 1e-5L;
 
+// Whether a mode neither grows, dies out nor swings, as far as it is known.
+bool is_neutral(const Mode& mode);
+// The slowest rate among modes that is known, 1/s; zero if there is none.
+double slowest_rate(const std::vector<Mode>& modes);
+// The same where others are not known that are slower by far, as drifts are; else zero.
+double slowest_beside_drifts(const Linearisation& linearisation);
+
 }  // namespace poinsot::solve

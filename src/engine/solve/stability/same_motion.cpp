@@ -200,4 +200,20 @@ SameMotion same_motion(const Doubted& doubted, const DeviationRows& rows, const 
   return found;
 }
 
+VanishingDirections vanishing_directions(const Doubted& A) {
+  if (A.value.rows() == 0) return {A.value, A.value, A};
+  const Eigen::JacobiSVD<Matrix> svd(A.value, Eigen::ComputeFullV);
+  const Matrix& all = svd.matrixV();
+  Eigen::Index count = 0;
+  Matrix doubt = A.doubt;
+  for (; count < all.cols(); ++count) {
+    const Vector n = all.col(all.cols() - 1 - count), left = (A.value * n).cwiseAbs(), size = n.cwiseAbs();
+    if (!((left - 10 * (A.doubt * size)).array() <= 0).all()) break;
+    doubt += left * size.transpose();
+  }
+  if (count == 0) return {all.rightCols(0), all, A};
+  const Matrix directions = all.rightCols(count), others = complement(directions), size = others.cwiseAbs();
+  return {directions, others, {between(others, A.value, others), between(size, doubt, size)}};
+}
+
 }  // namespace poinsot::solve

@@ -35,4 +35,12 @@ constexpr Real within = 1e-9L;
 // longest, that counts as rounding where the rest of it depends on the others.
 Matrix complement(const Matrix& columns, Real dependent = within);
 
+// The directions for which A n vanishes within its doubt, as columns of length one, and what A is on their complement
+// `others`, where it has its other eigenvalues.
+struct VanishingDirections {
+  Matrix directions, others;
+  Doubted rest;
+};
+VanishingDirections vanishing_directions(const Doubted& A);
+
 }  // namespace poinsot::solve

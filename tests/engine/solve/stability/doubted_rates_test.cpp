@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/solve/stability/same_motion.h"
 #include "poinsot/engine/work/work.h"
 
 namespace poinsot::solve {
@@ -28,6 +29,38 @@ TEST(DoubtedRates, ASlowRateBesideAFastOne) {
       EXPECT_LT(rates.doubt[m], 1e-8 * static_cast<double>(size));
     }
     EXPECT_NEAR(static_cast<double>(least / slow), 1, 1e-8);
+  }
+}
+
+// A drift, two rates of zero that disturb each other, beside a swing and a decay in another basis: without what leads
+// nowhere, and what leads into that, the others are known.
+TEST(DoubtedRates, BesideADriftAreThoseOfTheRest) {
+  std::mt19937_64 random(82);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 30; ++trial) {
+    Matrix A = Matrix::Zero(5, 5);
+    A(0, 1) = 1;
+    A(2, 3) = 1;
+    A(3, 2) = -4;
+    A(4, 4) = -0.3L;
+    const Matrix S = Matrix::NullaryExpr(5, 5, [&] { return Real(number(random)); }) + 2 * Matrix::Identity(5, 5);
+    const Matrix inverse = Eigen::PartialPivLU<Matrix>(S).inverse(), turned = S * A;
+    Doubted rest{turned * inverse, Matrix::Constant(5, 5, 1e-14L)};
+    int taken = 0;
+    for (VanishingDirections one = vanishing_directions(rest); one.directions.cols() > 0;
+         one = vanishing_directions(rest)) {
+      taken += static_cast<int>(one.directions.cols());
+      rest = one.rest;
+    }
+    ASSERT_EQ(taken, 2) << trial;
+    const Rates rates = rates_of(rest);
+    for (const std::complex<Real> wanted :
+         {std::complex<Real>(0, 2), std::complex<Real>(0, -2), std::complex<Real>(-0.3L, 0)}) {
+      Real nearest = 1;
+      for (Eigen::Index m = 0; m < rates.value.size(); ++m)
+        nearest = std::min(nearest, std::abs(rates.value[m] - wanted));
+      EXPECT_LT(static_cast<double>(nearest), 1e-11) << trial;
+    }
   }
 }
 
