@@ -168,9 +168,9 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
     ADD_FAILURE() << "found" << found << "\nexpected" << wanted << "\n" << hinged.text();
   }
   EXPECT_EQ(failures, 0);
-  // The cases are worth something: none, one and several angles all occur.
+  // The cases are worth something: none, one and several angles all occur, as far as there are many cases.
   for (std::size_t roots = 0; roots <= 4; ++roots)
-    EXPECT_GT(counts[roots], poinsot::testing::case_count(30) / 10) << roots;
+    EXPECT_GE(counts[roots], poinsot::testing::case_count(40) / 10) << roots;
 }
 
 }  // namespace equilibria_test
