@@ -1,7 +1,6 @@
 // Angles at which what is hinged to a turning arm stays at rest relative to it: all of them, and no others.
 #include <gtest/gtest.h>
 
-#include "case_count.h"
 #include "problem/entries/random_problems.h"
 
 namespace poinsot::problem {
@@ -148,7 +147,7 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
   Random random(431);
   std::map<std::size_t, int> counts;
   int done = 0, failures = 0;
-  while (done < poinsot::testing::case_count(1000)) {
+  while (done < 1000) {
     const Hinged hinged(random);
     const auto expected = hinged.scanned();
     if (!expected) continue;
@@ -168,9 +167,8 @@ TEST(Equilibria, AllAnglesOfAHingeOnATurningArm) {
     ADD_FAILURE() << "found" << found << "\nexpected" << wanted << "\n" << hinged.text();
   }
   EXPECT_EQ(failures, 0);
-  // The cases are worth something: none, one and several angles all occur, as far as there are many cases.
-  for (std::size_t roots = 0; roots <= 4; ++roots)
-    EXPECT_GE(counts[roots], poinsot::testing::case_count(40) / 10) << roots;
+  // The cases are worth something: none, one and several angles all occur.
+  for (std::size_t roots = 0; roots <= 4; ++roots) EXPECT_GT(counts[roots], 3) << roots;
 }
 
 }  // namespace equilibria_test
