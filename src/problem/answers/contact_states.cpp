@@ -22,6 +22,7 @@
 #include "problem/quantities/quantity_functions.h"
 #include "problem/unknowns/extremum.h"
 #include "problem/unknowns/sample.h"
+#include "problem/unknowns/states_at_end.h"
 
 namespace poinsot::problem {
 namespace {

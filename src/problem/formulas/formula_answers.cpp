@@ -11,6 +11,7 @@
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/extremum.h"
+#include "problem/unknowns/states_at_end.h"
 
 namespace poinsot::problem {
 namespace {

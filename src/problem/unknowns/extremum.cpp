@@ -7,6 +7,7 @@
 #include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/unknowns/states_at_end.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
@@ -23,8 +24,6 @@ constexpr double unseen = 2e-6;
 // the place between both would be the doubtful one.
 constexpr double past_the_end = 0.7;
 
-std::string number_text(double value) { return with_digits(value, 8); }
-
 }  // namespace
 
 std::size_t situation_of(const Statement& statement, const Ask& ask) {
@@ -40,43 +39,6 @@ std::size_t situation_of(const Statement& statement, const Ask& ask) {
   if (names.size() > 1)
     fail(statement.file, ask.mark, "in which situation is this asked?", "write situation: one of " + all);
   return 0;
-}
-
-namespace {
-
-bool asks_of(const Extremum& extremum, const Contact& contact, const char* state) {
-  return std::ranges::any_of(extremum.conditions, [&](const Expression& condition) {
-    const Call* call = condition.as<Call>();
-    return call && call->function == state && is_about(*call, contact.name);
-  });
-}
-bool asks_to_stick(const Extremum& extremum, const Contact& contact) { return asks_of(extremum, contact, "sticking"); }
-
-// The contacts that conditions want to stick, which fail in all other states of these. That holds for what is tried
-// alone if no other state can take the place of one: none leaves smooth contacts and cords as they are where another
-// does not, and none rests where another begins to slide.
-std::vector<std::string> wanted_to_stick(const Situation& situation, const Extremum& extremum) {
-  std::vector<std::string> names;
-  if (!situation.cords.empty() || !situation.belts.empty()) return names;
-  for (const Contact& contact : situation.contacts) {
-    if (!contact.rubs() || contact.friction->falls()) return {};
-    if (asks_to_stick(extremum, contact)) names.push_back(contact.name);
-  }
-  return names;
-}
-
-}  // namespace
-
-bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
-  return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
-    return contact.rubs() && (contact.grip != Grip::sticks || !asks_to_stick(extremum, contact));
-  });
-}
-
-bool leaves_touching_open(const Situation& situation, const Extremum& extremum) {
-  return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
-    return contact.touches() && !contact.rubs() && !contact.flies && !asks_of(extremum, contact, "touching");
-  });
 }
 
 ExtremumSearch::ExtremumSearch(const Statement& statement, const Ask& ask, const AllSettings& settings,
@@ -278,7 +240,7 @@ std::string ExtremumSearch::in_unit(double value) const {
   for (const Unknown& unknown : situation_.find)
     if (unknown.name == ask_.extremum->name) unit = unknown.unit;
   if (ask_.unit) unit = *ask_.unit;
-  return number_text(value / unit.factor) + (unit.text.empty() || unit.text == "1" ? "" : " " + unit.text);
+  return with_digits(value / unit.factor, 8) + (unit.text.empty() || unit.text == "1" ? "" : " " + unit.text);
 }
 
 // Explains an end beyond which the conditions do not clearly fail.

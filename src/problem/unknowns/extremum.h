@@ -13,12 +13,6 @@
 
 namespace poinsot::problem {
 
-// Whether a limit of sticking leaves open what contacts with friction do at the values that are tried: those that it
-// does not name, and those that slip.
-bool leaves_states_open(const Situation& situation, const Extremum& extremum);
-// Whether smooth contacts may part before the end, since nothing asks that they touch.
-bool leaves_touching_open(const Situation& situation, const Extremum& extremum);
-
 struct ExtremumFound {
   std::optional<Value<double>> value;
   std::string reason;              // why there is no such value
