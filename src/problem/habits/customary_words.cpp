@@ -81,6 +81,8 @@ constexpr std::array customs{
     Custom{"cuboid", "box"},
     Custom{"ball", "sphere"},
     Custom{"hollow_cylinder", "tube"},
+    Custom{"semicylinder", "half_cylinder"},
+    Custom{"wedge", "prism"},
     Custom{"pipe", "tube"},
     Custom{"diameter", "radius"},
     Custom{"height", "length"},

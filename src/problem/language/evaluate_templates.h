@@ -309,6 +309,8 @@ Value<Scalar> Evaluator<Scalar>::quantity(const Expression& expression, const Di
         : weighs
             ? std::string("a force stands in it in place of a mass: write lbm or ozm for lb or oz") +
                   (dimension == dimensions::moment_of_inertia ? ", lbm*ft^2 or lb*ft*s^2" : "") + ", or divide by g"
+        : value.is_vector() && is_pure(value.dimension) && !unit.empty()
+            ? "a direction has no size: write one before it, as in 2 " + unit + " * " + to_string(expression)
             : "";
     fail(beginning(expression), "expected " + to_string(dimension) + ", not " + quantity_in_words(value), hint);
   }

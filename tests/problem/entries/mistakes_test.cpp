@@ -1296,6 +1296,17 @@ TEST(Contradictions, OfAFactWithWhatHoldsTheBody) {
             "allow it (correct or remove it, or free what holds it)");
 }
 
+TEST(WithoutAnswer, ADirectionWhereAnEdgeIsMeant) {
+  EXPECT_EQ(
+      failure_of([&] {
+        solve(
+            "title: t\npoints: {O: [0, 0, 0], A: [2 m, 0, 0], B: [0, 1 m, 0]}\n"
+            "bodies: {b: {prism: {base: [O, A, B], along: z}, mass: 3 kg}}\nask: {c: center(b)}\n");
+      }),
+      "test.yaml:3:46: error: expected a length, not a pure number (a direction has no size: write one before it, "
+      "as in 2 m * z)");
+}
+
 TEST(WithoutAnswer, SupportsThatShareALoad) {
   const auto found = outcomes(head + disk +
                               "gravity: -x\njoints: {shaft: {revolute: y, to: disk, rate: 2 rad/s, supports: {O: ball, "

@@ -386,7 +386,10 @@ TEST(Evaluator, VectorsOfAnExpectedDimension) {
   EXPECT_EQ(norm(vector("[0, 0, 0]", dimensions::force)), 0);
   const auto refusal = [&](const char* text, const Dimension& d) { return failure_of([&] { vector(text, d); }); };
   EXPECT_EQ(refusal("A", dimensions::force), "f:1:1: error: expected a force, not a length");
-  EXPECT_EQ(refusal("[1, 2, 3]", dimensions::length), "f:1:1: error: expected a length, not a vector without unit");
+  EXPECT_EQ(
+      refusal("[1, 2, 3]", dimensions::length),
+      "f:1:1: error: expected a length, not a vector without unit (a direction has no size: write one before it, as in "
+      "2 m * [1, 2, 3])");
   EXPECT_EQ(refusal("[1 m, 2 N, 0]", dimensions::length),
             "f:1:7: error: component 2 of this vector should be a length, not a force");
   EXPECT_EQ(refusal("[1 m, 0, 4]", dimensions::length),

@@ -185,7 +185,7 @@ ParticleSet<Scalar> prism(const std::vector<Vector3<Scalar>>& base, const Vector
   return gatherer.finish();
 }
 
-// Half disks of wedges, whose sines and cosines the points on the arc sum.
+// Points on half circles of two radii across the axis, at two heights.
 template <class Scalar>
 ParticleSet<Scalar> half_cylinder(const Vector3<Scalar>& A, const Vector3<Scalar>& B, const Scalar& radius,
                                   const Vector3<Scalar>& toward) {
