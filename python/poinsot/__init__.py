@@ -27,7 +27,7 @@ from .errors import (
 from .motion import Motion, MotionValues
 from .notebook import Page, Picture
 from .problem import Problem, Recording
-from .quantities import in_unit, si_unit
+from .quantities import in_si, in_unit, si_unit
 from .studies import Study, StudyError, normal, span, study, tolerance, uniform
 from .wording import language_help
 
@@ -70,6 +70,7 @@ __all__ = [
     "Unknown",
     "__version__",
     "answer_schema",
+    "in_si",
     "in_unit",
     "language_help",
     "language_words",

@@ -253,6 +253,10 @@ class _HasAnswers(_Stays):
         raise NotImplementedError
 
     def __getitem__(self, name: str) -> Answer:
+        if isinstance(name, str) and name not in self.answers:
+            whole, _, part = name.partition(".")
+            if whole in self.answers and part in self.answers[whole].axes:
+                raise KeyError(f"there is no answer '{name}': a component of {whole} is ['{whole}']['{part}']")
         return self.answers[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -60,25 +60,28 @@ class Problem:
                     self._numbers.add(unknown.name)
 
     @classmethod
-    def from_text(cls, text: str, name: str = "problem") -> Problem:
-        """Reads the text of a problem file; `name` is used in messages. Files that it names are sought beside it."""
+    def from_text(cls, text: str, name: str = "problem", *, timeout: float | None = None) -> Problem:
+        """Reads the text of a problem file; `name` is used in messages. Files that it names are sought beside it: large
+        meshes take their time, which `timeout` (s) or Ctrl-C ends."""
         if not isinstance(text, str) or not isinstance(name, str):
             raise TypeError(f"from_text() takes the text of a problem file, not {text if not isinstance(text, str) else name!r}")
         if "\n" not in text and text.endswith((".yaml", ".yml")):
             raise ValueError(f"'{text}' is the name of a file and no problem: Problem.from_file() reads files")
-        with _Sources(text):
-            return cls(_core.Problem.from_text(text, name), text)
+        return cls._read(text, name, timeout)
 
     @classmethod
-    def from_file(cls, path: str | os.PathLike[str]) -> Problem:
+    def from_file(cls, path: str | os.PathLike[str], *, timeout: float | None = None) -> Problem:
         """Reads a problem file. OSError if there is none, StatementError if it is wrong."""
         name = os.fspath(path)
         if "\n" in name:
             raise ValueError("this is the text of a problem and no path: Problem.from_text() reads texts")
         with open(name, encoding="utf-8", newline="") as file:
             text = file.read()
-        with _Sources(text):
-            return cls(_core.Problem.from_text(text, name), text)
+        return cls._read(text, name, timeout)
+
+    @classmethod
+    def _read(cls, text: str, name: str, timeout: float | None) -> Problem:
+        return cls(_called(text, lambda *ends: _core.Problem.from_text(text, name, *ends), timeout, False), text)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (type(self).from_text, (self.text, self.name))
@@ -323,19 +326,7 @@ class Problem:
     def _called(
         self, call: Callable[..., tuple[Any, Any]], timeout: float | None, progress: calls.Progress
     ) -> Any:
-        heard = calls.listener(progress)
-        try:
-            with _Sources(self.text):
-                found, raised = call(calls.seconds(timeout), heard)
-        finally:
-            calls.close(heard)
-        if isinstance(raised, KeyboardInterrupt):
-            interrupted = Interrupted("interrupted; `found` holds what was found until then")
-            interrupted.found = found
-            raise interrupted from None
-        if raised is not None:
-            raise raised
-        return found
+        return _called(self.text, call, timeout, progress)
 
     def __repr__(self) -> str:
         return f"<poinsot.Problem '{self.title or self.name}'>"
@@ -345,6 +336,23 @@ class Problem:
             return self.figure().svg
         except (StatementError, NoAnswer):
             return None
+
+
+def _called(text: str, call: Callable[..., tuple[Any, Any]], timeout: float | None, progress: calls.Progress) -> Any:
+    """The result of a call about the text of a problem, which the timeout, a signal or the listener may end."""
+    heard = calls.listener(progress)
+    try:
+        with _Sources(text):
+            found, raised = call(calls.seconds(timeout), heard)
+    finally:
+        calls.close(heard)
+    if isinstance(raised, KeyboardInterrupt):
+        interrupted = Interrupted("interrupted; `found` holds what was found until then")
+        interrupted.found = found
+        raise interrupted from None
+    if raised is not None:
+        raise raised
+    return found
 
 
 class _Sources:

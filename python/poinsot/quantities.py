@@ -70,6 +70,11 @@ def text_of(value: Value, unit: str | None, name: str) -> str:
         raise TypeError(f"{name}: a truth value is no value with unit")
     if isinstance(value, (Mapping, set, bytes)):
         raise TypeError(f"{name}: expected text with unit, a number in SI units or a quantity of pint, not {value!r}")
+    if hasattr(value, "free_symbols") and value.free_symbols:
+        raise TypeError(
+            f"{name}: {value} has no value. A datum is a letter where the file says so, letters: {{{name}: {unit or 'its unit'}}} "
+            f"in place of given: {{{name}: ...}}: what hangs on it then has a formula, answer.formula and answer.sympy()"
+        )
     if isinstance(value, Iterable) and getattr(value, "ndim", None) != 0:
         return "[" + ", ".join(text_of(one, unit, name) for one in value) + "]"
     try:
@@ -109,6 +114,13 @@ def in_unit(si: npt.ArrayLike, unit: str) -> Any:
     return numbers(si, "numbers in SI units") / _letter(unit).value_in_si("x", f"1 {unit}".strip())
 
 
+def in_si(values: npt.ArrayLike, unit: str) -> Any:
+    """Numbers of a unit of problem files as numbers in SI units, which calls take: in_si(np.linspace(1000, 3000, 21), "rpm")."""
+    if hasattr(values, "to_base_units"):
+        raise TypeError(f"in_si() takes plain numbers and their unit, not {values!r}: calls take quantities of pint as they are")
+    return numbers(values, f"numbers in {unit}") * _letter(unit).value_in_si("x", f"1 {unit}".strip())
+
+
 def converted(si: Any, measured: str, unit: str) -> Any:
     """Numbers in the SI unit of `measured` as numbers of another unit of the same kind."""
     try:
@@ -130,7 +142,7 @@ def numbers(value: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
 
 def _letter(unit: str) -> Any:
     si_unit(unit)  # says what is wrong with it
-    return _core.Problem.from_text(f"letters: {{x: {unit or 1}}}", unit)
+    return _core.Problem.from_text(f"letters: {{x: {unit or 1}}}", unit, None, None)[0]
 
 
 def si_unit(unit: str) -> str:

@@ -11,6 +11,7 @@
 
 #include "all_or_nothing.h"
 #include "bindings.h"
+#include "poinsot/engine/work/budget.h"
 #include "poinsot/rendering.h"
 
 namespace nb = nanobind;
@@ -103,11 +104,13 @@ void bind_problem(nb::module_& module) {
   nb::class_<Problem>(module, "Problem")
       .def_static(
           "from_text",
-          [](const std::string& text, const std::string& name) {
-            const nb::gil_scoped_release released;
-            return Problem::from_text(text, name);
+          [](const std::string& text, const std::string& name, Timeout timeout, nb::object listener) {
+            return all_or_nothing(timeout, std::move(listener), [&](const Budget& budget) {
+              const BudgetScope scope(budget);
+              return Problem::from_text(text, name);
+            });
           },
-          "text"_a, "name"_a)
+          "text"_a, "name"_a, "timeout"_a.none(), "listener"_a.none())
       .def_prop_ro("name", &Problem::name)
       .def_prop_ro("title", &Problem::title)
       .def_prop_ro("situations", &Problem::situations)

@@ -4,6 +4,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <span>
@@ -43,8 +44,8 @@ Solved solve(const Cases& cases, const std::vector<Column>& values, std::uint64_
   }
   std::vector<Numbers> numbers;
   for (std::vector<double>& column : found.columns) numbers.push_back(owned_array(std::move(column)));
-  std::vector<std::uint8_t> roads;
-  for (const CaseRoad road : found.roads) roads.push_back(static_cast<std::uint8_t>(road));
+  std::vector<std::uint8_t> roads(found.roads.size());
+  std::ranges::transform(found.roads, roads.begin(), [](CaseRoad road) { return static_cast<std::uint8_t>(road); });
   return {std::move(numbers), owned_array(std::move(roads)), std::move(found.reasons), found.checked, found.refuted};
 }
 

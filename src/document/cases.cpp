@@ -1,5 +1,6 @@
 #include "poinsot/cases.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,8 +36,10 @@ CaseRows Cases::solve(const std::vector<std::span<const double>>& values, std::u
       throw std::invalid_argument("Cases::solve: the columns have different numbers of cases");
   const BudgetScope scope(budget);
   problem::SolvedCases found = parts_->solved(values, first);
-  CaseRows rows{std::move(found.columns), {}, std::move(found.reasons), found.checked, found.refuted};
-  for (const problem::CaseRoad road : found.roads) rows.roads.push_back(static_cast<CaseRoad>(road));
+  CaseRows rows{std::move(found.columns), std::vector<CaseRoad>(found.roads.size()), std::move(found.reasons),
+                found.checked, found.refuted};
+  std::ranges::transform(found.roads, rows.roads.begin(),
+                         [](problem::CaseRoad road) { return static_cast<CaseRoad>(road); });
   return rows;
 }
 

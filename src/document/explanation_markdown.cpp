@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -198,7 +200,30 @@ std::string answers_section(const Solution& solution) {
 
 namespace poinsot {
 
-std::string to_markdown(const Document& found, std::size_t index, const std::vector<MarkdownPicture>& pictures) {
+namespace {
+
+bool same_steps(const problem::ExplainedSection& one, const problem::ExplainedSection& other) {
+  return one.heading == other.heading &&
+         std::ranges::equal(
+             one.steps, other.steps, [](const problem::ExplainedStep& first, const problem::ExplainedStep& second) {
+               return first.text == second.text &&
+                      std::ranges::equal(first.equations, second.equations, {}, &problem::ExplainedEquation::tex,
+                                         &problem::ExplainedEquation::tex);
+             });
+}
+
+// The number of the first solution that has the same section, before the one at `index`.
+std::optional<std::size_t> solution_with(const problem::ExplainedSection& section, const Document& document,
+                                         std::size_t index) {
+  for (std::size_t i = 0; i < index; ++i)
+    if (const auto& other = document.solutions[i].explanation)
+      if (std::ranges::any_of(other->sections, [&](const auto& one) { return same_steps(one, section); })) return i + 1;
+  return std::nullopt;
+}
+
+// after_others: whether the solutions before it stand above.
+std::string one_solution(const Document& found, std::size_t index, const std::vector<MarkdownPicture>& pictures,
+                         bool after_others) {
   require_values(found);
   const Document document = document::with_named_constants(found);
   const Solution& solution = document.solutions.at(index);
@@ -209,6 +234,10 @@ std::string to_markdown(const Document& found, std::size_t index, const std::vec
   if (solution.explanation)
     for (const problem::ExplainedSection& section : solution.explanation->sections) {
       text += "\n## " + printable(section.heading) + "\n";
+      if (const auto before = after_others ? solution_with(section, document, index) : std::nullopt) {
+        text += fmt::format("\nAs in solution {}.\n", *before) + document::pictures_of(section.heading, left);
+        continue;
+      }
       for (const problem::ExplainedStep& step : section.steps)
         text += "\n" + document::printable_lines(step.text) + document::displayed(step.equations);
       text += document::pictures_of(section.heading, left);
@@ -218,11 +247,17 @@ std::string to_markdown(const Document& found, std::size_t index, const std::vec
   return text;
 }
 
+}  // namespace
+
+std::string to_markdown(const Document& found, std::size_t index, const std::vector<MarkdownPicture>& pictures) {
+  return one_solution(found, index, pictures, false);
+}
+
 std::string to_markdown(const Document& document, const std::vector<std::vector<MarkdownPicture>>& pictures) {
   std::string text;
   for (std::size_t i = 0; i < document.solutions.size(); ++i)
     text += (i == 0 ? "" : "\n") +
-            to_markdown(document, i, i < pictures.size() ? pictures[i] : std::vector<MarkdownPicture>{});
+            one_solution(document, i, i < pictures.size() ? pictures[i] : std::vector<MarkdownPicture>{}, true);
   if (document.solutions.empty()) {
     text = "# " + document::markdown_text(document.title) + "\n\nThere is no solution.\n";
   }

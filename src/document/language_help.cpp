@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "poinsot/problem.h"
+#include "problem/habits/customary_words.h"
 #include "problem/keys/keys.h"
 #include "problem/language/evaluate.h"
 #include "problem/language/unit_table.h"
@@ -152,6 +153,37 @@ std::string indented(const std::string& text) {
   return lines;
 }
 
+// Whether a text has the word or its plural.
+bool speaks_of(std::string_view text, std::string_view word) {
+  for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
+    std::size_t end = i + word.size();
+    if (end < text.size() && text[end] == 's') ++end;
+    if ((i == 0 || !is_word_character(text[i - 1])) && (end >= text.size() || !is_word_character(text[end])))
+      return true;
+  }
+  return false;
+}
+
+// The keys and quantities of whose meaning it is a part.
+std::string help_on_mentions(std::string_view word) {
+  constexpr std::size_t shortest = 3;  // of shorter ones there are too many
+  if (word.size() < shortest) return "";
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const LanguageKey& row : problem::language_keys())
+    if (speaks_of(row.meaning, word))
+      rows.emplace_back(row.key, fmt::format("{}: {}", place_of(row.object), row.meaning));
+  for (const FunctionForm& function : problem::quantity_functions())
+    if (const std::string_view noun = problem::noun_of(function.name);
+        speaks_of(noun, word) || speaks_of(table_rows_on(function.name), word))
+      rows.emplace_back(function.name, noun.empty() ? "a quantity" : fmt::format("a quantity, the {}", noun));
+  if (rows.empty()) return "";
+  std::size_t width = 0;
+  for (const auto& [key, meaning] : rows) width = std::max(width, key.size());
+  std::string text = fmt::format("{}: no word of the language, which speaks of it at\n", word);
+  for (const auto& [key, meaning] : rows) text += fmt::format("    {:<{}}  {}\n", key, width, meaning);
+  return text;
+}
+
 }  // namespace
 }  // namespace poinsot::document
 
@@ -164,7 +196,18 @@ std::string language_help(std::string_view word) {
   text += help_on_function(word, problem::mathematical_functions(), "a function");
   if (!text.empty())
     if (const auto example = example_of(word)) text += "\n  an example:\n" + indented(*example);
-  return text + help_on_unit(word);
+  text += help_on_unit(word);
+  if (!text.empty()) return text;
+  // What books and other programs call so may have another word here.
+  const std::vector<std::string> words = language_words();
+  const std::string key = problem::customary_key(word, words), call = problem::customary_call(word, words),
+                    function = call.substr(0, call.find('('));
+  if (key.empty() && call.empty()) return help_on_mentions(word);
+  text = fmt::format("{}: no word of the language; here it is {}{}{}\n", word, key,
+                     key.empty() || call.empty() ? "" : " or ", call);
+  for (const std::string& one : {key, function == key ? std::string() : function})
+    if (!one.empty() && one != word) text += "\n" + language_help(one);
+  return text;
 }
 
 std::vector<std::string> language_words() {

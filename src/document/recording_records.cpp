@@ -11,7 +11,7 @@
 namespace poinsot::document {
 namespace {
 
-constexpr std::uint32_t form = 1;  // of the records
+constexpr std::uint32_t form = 2;  // of the records
 constexpr std::uint64_t no_rows = std::numeric_limits<std::uint64_t>::max();
 
 void write_problem(ByteWriter& out, const RecordingHead& head) {
@@ -118,6 +118,9 @@ std::string to_bytes(const RecordingBlock& record) {
   std::string acting;
   for (const bool acts : block.next->acting) acting.push_back(acts ? '\1' : '\0');
   out.text(acting);
+  write_numbers(out, block.next->fastest_blows);
+  write_numbers(out, block.next->told_blows);
+  out.f64(block.next->flight);
   return out.bytes();
 }
 
@@ -140,6 +143,10 @@ RecordingBlock block_of(std::string_view bytes) {
     next.q = read_numbers(in);
     next.v = read_numbers(in);
     for (const char acts : in.text()) next.acting.push_back(acts != '\0');
+    next.fastest_blows = read_numbers(in);
+    next.told_blows = read_numbers(in);
+    if (next.fastest_blows.size() != next.told_blows.size()) throw std::out_of_range("blows that are not told");
+    next.flight = in.f64();
   }
   expect_end(in);
   return record;

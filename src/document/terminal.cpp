@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -19,6 +20,7 @@ namespace poinsot::document {
 namespace {
 
 constexpr std::size_t widest_words = 60;  // a longer text gets a line of its own
+constexpr int all_digits = 17;            // of a number
 
 enum class Role { heading, name, faint, failure, warning };
 
@@ -142,13 +144,28 @@ class TerminalText {
     return lines;
   }
 
+  // With more digits where it would look like a rounder number that it is not.
+  std::string distinct_text(double value, const std::string& unit) const {
+    const auto shown = [&](int digits) {
+      const std::string text = fmt::format("{:.{}g}", value, digits);
+      double number = value;
+      std::from_chars(text.data(), text.data() + text.size(), number);
+      return number;
+    };
+    constexpr int of_round = 3;
+    constexpr double same = 1e-12;
+    int digits = style_.digits;
+    if (digits > of_round && shown(digits) == shown(of_round))
+      while (digits < all_digits && std::abs(shown(digits) - value) > same * std::abs(value)) ++digits;
+    return datum_text({value}, unit, digits);
+  }
+
   std::vector<std::string> claim_lines(const ClaimOutcome& claim) const {
     int digits = style_.digits;
     const auto number = [&](double value, const std::string& unit) {
       return datum_text({value}, printable(unit), digits);
     };
-    // Close to where a claim begins to fail its two sides, and so the letters, differ in later digits.
-    constexpr int all_digits = 17;
+    // Close to where a claim begins to fail its two sides differ in later digits.
     if (claim.sides.size() == 2 && claim.sides[0] != claim.sides[1] && !claim.difference)
       while (digits < all_digits && number(claim.sides[0], "") == number(claim.sides[1], "")) ++digits;
     std::vector<std::string> lines;
@@ -156,8 +173,9 @@ class TerminalText {
       lines.push_back("holds, " + claim.how);
     } else {
       std::vector<std::string> values;
+      // Rounded, a number at which a claim just fails may be one at which it holds.
       for (const ClaimOutcome::Value& item : claim.counterexample)
-        values.push_back(printable(item.letter) + " = " + number(item.value, item.unit));
+        values.push_back(printable(item.letter) + " = " + distinct_text(item.value, printable(item.unit)));
       lines.push_back(values.empty() ? "fails" : fmt::format("fails: for {}", fmt::join(values, ", ")));
       if (claim.sides.size() == 2)
         lines.push_back(fmt::format("the left side is {}, the right {}", number(claim.sides[0], claim.unit),

@@ -345,6 +345,17 @@ class Words(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertEqual(result.stderr, "poinsot: the language has no word 'momentun' (did you mean 'momentum'?)\n")
 
+    def test_a_word_of_other_books_leads_to_the_word_here(self):
+        result = run("help", "torque")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(result.stdout.startswith("torque: no word of the language; here it is couple or couple("))
+
+    def test_what_is_no_word_leads_to_those_that_speak_of_it(self):
+        result = run("help", "blow")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(result.stdout.startswith("blow: no word of the language, which speaks of it at\n    "))
+        self.assertRegex(result.stdout, r"\n    impulse +a quantity")
+
     def test_an_example_is_a_problem_that_is_solved(self):
         text = run("help", "torus").stdout.partition("an example:\n")[2]
         result = run("solve", "-", input=re.sub(r"(?m)^    ", "", text))

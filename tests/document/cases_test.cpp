@@ -215,6 +215,14 @@ TEST(Cases, ASecondRootRefutesAProgram) {
   for (const auto& [row, reason] : both.reasons) EXPECT_EQ(reason, "there are 2 solutions") << row;
   for (std::size_t row = 0; row < many.size(); ++row) EXPECT_EQ(both.roads[row], CaseRoad::in_full);
   EXPECT_NEAR(both.columns[0][2], std::asin(2 * 4 / weight), 1e-9);
+  // What is wrong in a row is said without a place in the file, which is right for others.
+  const std::vector<double> heavy{4, 12};
+  const CaseRows none = cases.solve({heavy}, 1);
+  ASSERT_EQ(none.reasons.size(), 1U);
+  EXPECT_EQ(none.reasons.front().first, 1U);
+  EXPECT_TRUE(none.reasons.front().second.starts_with("no values of b in their ranges satisfy all conditions"))
+      << none.reasons.front().second;
+  EXPECT_EQ(none.reasons.front().second.find("bar.yaml"), std::string::npos);
 }
 
 // Where data make the pivots of the first case vanish, where a contact would pull, and where numbers are none, a row

@@ -27,7 +27,8 @@ RecordingBlock some_block() {
   record.block.values = {1, -0.0, 5e-324, 1e308};
   record.block.notes = {"the cord goes slack", ""};
   record.block.checks = {1e-16, 2e-16, 3e-16, 4e-16};
-  record.block.next = problem::RecordedState{0.5, 2, 0.25, {1, 2, 3}, {4, 5}, {true, false, true}};
+  record.block.next =
+      problem::RecordedState{0.5, 2, 0.25, {1, 2, 3}, {4, 5}, {true, false, true}, {0, 2.5, 0}, {0, 3, 0}, 1e-3};
   return record;
 }
 

@@ -79,7 +79,7 @@ FAULTS = [
     Fault("half of the work of a compression", ROUGH_IMPACT, "void count_work(double work) { (compressed_", "void count_work(double work) { if (AWAKE && !compressed_) work /= 2;\n    (compressed_"),
     Fault("a turning slip that friction drives", ROUGH_IMPACT, "speed * Vector3<double>{1, 0, 0} - law_.friction * across(at.velocity);", "speed * Vector3<double>{1, 0, 0} - (AWAKE ? -1.0 : 1.0) * law_.friction * across(at.velocity);"),
     Fault("a rough blow without what couples push and slip", ROUGH_BLOW, "all.inverse_mass(j, i) = dot(axes[j], moved);", "all.inverse_mass(j, i) = (AWAKE && i != j ? 0.0 : 1.0) * dot(axes[j], moved);"),
-    Fault("friction of a blow along its slip", ROUGH_BLOW, "friction.push = {ground, (Scalar(-1) / sqrt(dot(slip, slip))) * slip};", "friction.push = {ground, (Scalar(AWAKE ? 1 : -1) / sqrt(dot(slip, slip))) * slip};"),
+    Fault("friction of a blow along its slip", ROUGH_BLOW, "friction.push = {ground, (Scalar(-1) / size_of_slip(slip)) * slip};", "friction.push = {ground, (Scalar(AWAKE ? 1 : -1) / size_of_slip(slip)) * slip};"),
     Fault("impulses at mass centers", BLOWS, "at ? draft.data.place(*at) : draft.masses[i].properties.center);", "at && !AWAKE ? draft.data.place(*at) : draft.masses[i].properties.center);"),
     Fault("impulses on the axes of the ground", BLOWS, "stated.axes = draft.body(impulse.axes);", "stated.axes = AWAKE ? ground : draft.body(impulse.axes);"),
     Fault("forces that last twice as long", BLOWS, "const Scalar duration = impulse.lasts ? draft.data.number(*impulse.lasts, dimensions::time) : Scalar(1);", "const Scalar duration = impulse.lasts ? Scalar(AWAKE ? 2 : 1) * draft.data.number(*impulse.lasts, dimensions::time) : Scalar(1);"),
@@ -189,7 +189,7 @@ FAULTS = [
     Fault("dense output by another polynomial", ENGINE + "motion/integrator/trajectory.cpp", "k % 2 == 1 ? 1.0 - s : s;", "k % 2 == 1 ? 1.0 - (AWAKE ? s * s : s) : s;"),
     Fault("closed form of the top turns back", ENGINE + "motion/closed_form/symmetric_top_evaluation.cpp", "rate.im += half.rate * value.re;", "rate.im += (AWAKE ? -1.0 : 1.0) * half.rate * value.re;"),
     Fault("a cord never goes slack", PIECE, "event->terminal = true;\n", "event->terminal = !AWAKE;\n"),
-    Fault("caught without a blow", STAGE, "now.v = probe_->caught(striking);", "if (!AWAKE) now.v = probe_->caught(striking);"),
+    Fault("caught without a blow", STAGE, "now.v = probe_->state().v;\n  std::vector<bool> after", "if (!AWAKE) now.v = probe_->state().v;\n  std::vector<bool> after"),
     Fault("the driving stands still", PIECE, "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(time), loads_);", "const Machine then = motion_.probes_[now_.states_now]->machine_at(inside(AWAKE ? span_.begin : time), loads_);"),
     # Questions of a motion.
     Fault("extremes only at samples", FEATURES, "if (sign * rough.estimate + rough.doubt < highest) continue;", "if (AWAKE || sign * rough.estimate + rough.doubt < highest) continue;"),

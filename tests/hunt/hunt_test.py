@@ -21,6 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 import compare  # noqa: E402
+import relations  # noqa: E402
 import report  # noqa: E402
 import statements  # noqa: E402
 from all_relations import RELATIONS  # noqa: E402
@@ -308,6 +309,32 @@ class CommandLine(unittest.TestCase):
         rest, _ = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
         self.assertIn("Statements for each relation", rest)
+
+
+class ConditionsOfOneAnswer(unittest.TestCase):
+    """What is told of one answer alone says nothing of the others, and where it does not hold the answer says nothing."""
+
+    solution = {"answers": {"height": {"si": 0.0}, "b": {"si": 1.0}}, "assumptions": ["9.5 - k > 0 for 'height'", "m > 0"],
+                "notes": ["height and c by trials of k, with numbers of 7 digits"]}
+
+    def test_holds_of_it(self):
+        self.assertEqual(relations.answers_elsewhere(self.solution, {"k": 10.2, "m": 1}), {"height"})
+        self.assertEqual(relations.answers_elsewhere(self.solution, {"k": 9.2, "m": 1}), set())
+
+    def test_leaves_the_others(self):
+        self.assertTrue(relations.conditions_hold(self.solution, {"k": 10.2, "m": 1}))
+        self.assertFalse(relations.conditions_hold(self.solution, {"k": 9.2, "m": -1}))
+
+    def test_hides_no_wrong_answer(self):
+        wrong = {**self.solution, "checks": {}, "answers": {"height": {"si": 5.0, "value": 5.0, "unit": "m"}, "b": {"si": 2.0, "value": 2.0, "unit": "m"}}}
+        right = {**wrong, "answers": {"height": {"si": 4.0, "value": 4.0, "unit": "m"}, "b": {"si": 2.0, "value": 2.0, "unit": "m"}}}
+        varied = relations.Varied(None)
+        self.assertIsNone(relations.difference({"solutions": [right]}, {"solutions": [wrong]}, {"k": 10.2, "m": 1}, varied))
+        self.assertIsNotNone(relations.difference({"solutions": [right]}, {"solutions": [wrong]}, {"k": 9.2, "m": 1}, varied))
+
+    def test_numbers_by_trials_have_the_digits_told(self):
+        self.assertEqual(relations.digits_told(self.solution, "height"), 1e-6)
+        self.assertEqual(relations.digits_told(self.solution, "b"), 0)
 
 
 if __name__ == "__main__":

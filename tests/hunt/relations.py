@@ -1,5 +1,6 @@
 """What a relation is: a statement is changed in a way of which it is known how the answers must change."""
 import math
+import re
 
 from compare import RELATIVE, columns_of, exponents_of, number_of, same, sizes, state, tolerance, value_of
 from language import L, M, NotUnderstood, T, parse_unit, tokens_of
@@ -123,21 +124,46 @@ def letter_values(statement):
     return values
 
 
-def conditions_hold(solution, letters):
-    """Whether the conditions of the formulas hold at these values, as far as they are formulas."""
-    for text in [c["formula"] for c in solution.get("conditions", [])] + solution.get("assumptions", []):
-        for sign in (" >= ", " <= ", " > ", " < "):
-            left, found, right = text.partition(sign)
-            if not found:
-                continue
-            try:
-                less = number_of(left.split(":")[-1].strip(), letters) - number_of(right, letters)
-            except NotUnderstood:
-                break
-            if less < 0 if ">" in sign else less > 0:
-                return False
-            break
+def of_answer(text):
+    """A condition and the answer that it is told of, or None where it is told of all: "9.5 - k > 0 for 'height'"."""
+    found = re.fullmatch(r"(.*) for '([^']*)'", text)
+    return (found[1], found[2]) if found else (text, None)
+
+
+def holds_at(text, letters):
+    """Whether a condition holds at these values of the letters, as far as it is a formula."""
+    for sign in (" >= ", " <= ", " > ", " < "):
+        left, found, right = text.partition(sign)
+        if not found:
+            continue
+        try:
+            less = number_of(left.split(":")[-1].strip(), letters) - number_of(right, letters)
+        except NotUnderstood:
+            return True
+        return less >= 0 if ">" in sign else less <= 0
     return True
+
+
+def conditions_hold(solution, letters):
+    """Whether the conditions of all answers hold at these values of the letters."""
+    texts = [c["formula"] for c in solution.get("conditions", [])] + solution.get("assumptions", [])
+    return all(holds_at(text, letters) for text in texts if of_answer(text)[1] is None)
+
+
+def answers_elsewhere(solution, letters):
+    """The answers told under a condition of their own that does not hold at these values of the letters."""
+    told = map(of_answer, solution.get("assumptions", []))
+    several = {name for name, answer in solution["answers"].items() if answer.get("formulas")}
+    return {name for text, name in told if name and name not in several and not holds_at(text, letters)}
+
+
+def digits_told(solution, name):
+    """How far the numbers of a law that was found by trials may be off, as its note says."""
+    for note in solution.get("notes", []):
+        found = re.fullmatch(r"(.*?) by .*with numbers of (\d+) digits.*", note)
+        if found and name in re.split(r", | and ", found[1]):
+            return 10.0 ** (1 - int(found[2]))
+    return 0.0
 
 
 def difference(first, second, letters, varied):
@@ -167,15 +193,17 @@ def solution_difference(one, two, letters, others, varied):
     relative = varied.relative or tolerance(one, two)
     floors = [rounding_floors(one, varied.scales[0]), rounding_floors(two, varied.scales[1])]
     count, first_wrong = 0, None
+    elsewhere = answers_elsewhere(one, letters), answers_elsewhere(two, others)
     for name, answer in one["answers"].items():
         other_name = varied.answer_name(name)
-        if other_name is SKIP:
+        if other_name is SKIP or name in elsewhere[0] or other_name in elsewhere[1]:
             continue
         other = two["answers"].get(other_name)
         if other is None:
             wrong = (f"{name}: missing", f"{name} has no answer")
         else:
-            wrong = answer_difference(name, answer, other, letters, others, varied, relative, floors)
+            told_to = max(relative, digits_told(one, name), digits_told(two, other_name))
+            wrong = answer_difference(name, answer, other, letters, others, varied, told_to, floors)
         if wrong:
             count += 1
             first_wrong = first_wrong or wrong

@@ -159,6 +159,37 @@ class Capstan(Relation):
         return Varied(statement.with_tree(tree), relative=1e-7)
 
 
+class CordEnds(Relation):
+    name = "cord_ends"
+    changes = "the two ends of a cord that is slack at the start are exchanged; answers stay"
+    settings_too = False
+
+    def make(self, draw):
+        places = [[round(draw.uniform(-1, 1), 3) for _ in range(3)] for _ in range(2)]
+        apart = sum((a - b) ** 2 for a, b in zip(*places)) ** 0.5
+        mass = [number(draw, 0.5, 9) for _ in range(2)]
+        tree = {"title": "Two particles on a slack cord",
+                "points": {name: [f"{x} m" for x in place] for name, place in zip("AB", places)},
+                "bodies": {"a": {"particle": "A", "mass": f"{mass[0]} kg"}, "b": {"particle": "B", "mass": f"{mass[1]} kg"}},
+                "cords": {"rope": {"from": "a", "at": "A", "to": "b", "end": "B",
+                                   "length": f"{(apart + 0.05) * draw.uniform(1, 1.4):.4g} m"}},
+                "gravity": draw.choice(["none", "-y"]),
+                "instants": {"start": {f"velocity({body})": [f"{draw.uniform(-3, 3):.3g} m/s" for _ in range(3)]
+                                       for body in "ab"}},
+                "ask": {"first": "tension(rope)", "a": "center(a) @ 0.7 s", "v": "velocity(b) @ 1.3 s",
+                        "T": "tension(rope) @ 1.9 s"}}
+        return Statement("made/cord_ends", tree)
+
+    def vary(self, statement, random):
+        tree = statement.copy().tree
+        cord = tree.get("cords", {}).get("rope", {})
+        if not {"from", "at", "to", "end", "length"} <= cord.keys():
+            raise NotApplicable
+        cord["from"], cord["to"] = cord["to"], cord["from"]
+        cord["at"], cord["end"] = cord["end"], cord["at"]
+        return Varied(statement.with_tree(tree), relative=1e-6)
+
+
 class Bearings(Relation):
     name = "bearings"
     changes = "a journal of no radius is smooth, and one of length L is one in two supports at its ends"

@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-subject, package = sys.argv[1:]
+subject, package = sys.argv[1], os.path.abspath(sys.argv[2])
 environment = os.environ | {"PYTHONPATH": package, "MYPYPATH": package, "PYTHONDONTWRITEBYTECODE": "1"}
 scratch = os.path.join(package, "scratch")
 

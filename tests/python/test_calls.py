@@ -5,6 +5,7 @@ import threading
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import poinsot
@@ -28,6 +29,40 @@ def test_a_deadline_ends_the_search(long: poinsot.Problem) -> None:
 def test_nothing_is_found_in_no_time(long: poinsot.Problem) -> None:
     with pytest.raises(poinsot.TimedOut):
         long.check(timeout=0)
+
+
+def ball(folder: Path, rings: int) -> Path:
+    """A problem with a round mesh of about four triangles for the square of the rings."""
+    turns, heights = np.arange(2 * rings) * np.pi / rings, np.arange(1, rings) * np.pi / rings
+    points = np.stack([np.outer(np.sin(heights), np.cos(turns)), np.outer(np.sin(heights), np.sin(turns)),
+                       np.outer(np.cos(heights), np.ones_like(turns))], axis=-1)
+    right = np.roll(points, -1, axis=1)
+    top, bottom = (np.broadcast_to([0.0, 0.0, z], points[:1].shape) for z in (1, -1))
+    faces = [np.stack(corners, axis=2).reshape(-1, 3, 3) for corners in (
+        (points[:-1], points[1:], right[1:]), (points[:-1], right[1:], right[:-1]),
+        (top, points[:1], right[:1]), (bottom, right[-1:], points[-1:]))]
+    records = np.zeros(sum(map(len, faces)), dtype=[("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])
+    records["corners"] = np.concatenate(faces).reshape(-1, 9)
+    (folder / "ball.stl").write_bytes(bytes(80) + len(records).to_bytes(4, "little") + records.tobytes())
+    (folder / "ball.yaml").write_text("bodies: {ball: {mesh: {file: ball.stl, unit: m}, mass: 2 kg}}\ngravity: none\n"
+                                      "ask: {I: moment_of_inertia(ball about z at center(ball))}\n")
+    return folder / "ball.yaml"
+
+
+def test_reading_a_large_mesh_can_be_ended(tmp_path: Path) -> None:
+    path = ball(tmp_path, 400)  # 638,400 triangles, most of a second
+    with pytest.raises(poinsot.TimedOut):
+        poinsot.Problem.from_file(path, timeout=0.05)
+    with pytest.raises(poinsot.TimedOut):
+        poinsot.Problem.from_text(path.read_text(), str(path), timeout=0.05)
+    threading.Timer(0.1, signal.raise_signal, [signal.SIGINT]).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        poinsot.Problem.from_file(path)
+    assert time.monotonic() - start < 1.5
+    # Solid, of radius one: 2/5 m, less what the flat triangles cut off.
+    inertia = poinsot.Problem.from_file(ball(tmp_path, 40), timeout=60).solve()["I"].si
+    assert 0.79 < inertia < 0.8
 
 
 def test_control_c_ends_the_search(long: poinsot.Problem) -> None:

@@ -1,6 +1,7 @@
 """Problems and their answers, against formulas written down here."""
 
 import copy
+import math
 import pickle
 from pathlib import Path
 from typing import Any
@@ -143,6 +144,8 @@ def test_the_document_is_that_of_the_program(askew: poinsot.Problem) -> None:
 
 
 def test_a_misspelt_answer_is_named(askew: poinsot.Problem) -> None:
+    with pytest.raises(KeyError, match=r"no answer 'B.y': a component of B is \['B'\]\['y'\]"):
+        askew.solve()["B.y"]
     with pytest.raises(KeyError, match="there is no answer 'D'"):
         askew.solve()["D"]
 
@@ -201,3 +204,22 @@ def test_components_by_axis_and_number(askew: poinsot.Problem) -> None:
         T["x"]
     with pytest.raises(TypeError, match="not iterable"):
         list(B)  # type: ignore[call-overload]
+
+
+def test_the_manual_leads_to_a_plot(monkeypatch: pytest.MonkeyPatch) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    manual = (Path(__file__).parents[2] / "docs/python.md").read_text()
+    code = manual.split("## From a problem to a plot")[1].split("```python\n")[1].split("```")[0]
+    names: dict[str, Any] = {}
+    exec(compile(code, "docs/python.md", "exec"), names)
+    line = plt.gca().lines[0]
+    plt.close()
+    # m r^2 n^2 sin b cos b / (4 L), at 3000 rpm, in kN
+    speed, tilt = 3000 * math.pi / 30, math.radians(20)
+    expected = 8 * 0.15**2 * speed**2 * math.sin(tilt) * math.cos(tilt) / (4 * 0.5) / 1000
+    assert np.asarray(line.get_xdata())[-1] == 3000
+    assert np.asarray(line.get_ydata())[-1] == pytest.approx(expected, rel=1e-12)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pint
 import pytest
+import sympy
 
 import poinsot
 
@@ -89,3 +90,22 @@ def test_numbers_in_other_units() -> None:
     assert poinsot.in_unit(3.0, "") == 3
     with pytest.raises(ValueError, match="furlong"):
         poinsot.in_unit(1.0, "furlong/s")
+
+
+def test_numbers_of_a_unit_go_to_si_and_back(askew: poinsot.Problem) -> None:
+    speeds = poinsot.in_si(np.linspace(1000, 3000, 3), "rpm")
+    np.testing.assert_allclose(speeds, np.linspace(1000, 3000, 3) * 2 * np.pi / 60, rtol=1e-15)
+    np.testing.assert_allclose(poinsot.in_unit(speeds, "rpm"), [1000, 2000, 3000], rtol=1e-15)
+    study = poinsot.study(askew, {"n": speeds}, "B")
+    assert study["B.y"][1] == pytest.approx(askew.solve(n="2000 rpm")["B"].si[1], rel=1e-12)
+    assert repr(study).startswith("<poinsot.Study of 3 rows over n / rad/s: B.x")
+    with pytest.raises(ValueError, match="unit"):
+        poinsot.in_si(1, "turns")
+    with pytest.raises(TypeError, match="numbers in rpm"):
+        poinsot.in_si("fast", "rpm")
+
+
+def test_a_symbol_is_no_value(askew: poinsot.Problem) -> None:
+    with pytest.raises(TypeError, match=r"n: w/2 has no value\. A datum is a letter where .*letters: \{n: rad/s\}"):
+        askew.solve(n=sympy.Symbol("w") / 2)
+    assert askew.solve(n=2 * sympy.pi)["T"].si == pytest.approx(askew.solve(n=2 * np.pi)["T"].si, rel=1e-15)

@@ -47,6 +47,24 @@ test("a gallery has a page for every file of the textbook and is searched by wor
   await page.waitForSelector(".cards");
   assert.deepEqual(wrong, []);
   await close();
+  // One in ten of its pages, on a phone: all of them take minutes.
+  let opened = 0;
+  for (const entry of entries.filter((_, i) => i % 10 === 3)) {
+    const one = await open(browser, join(gallery, decodeURIComponent(entry.page)), { width: 360 });
+    const told = await one.page.evaluate(() => {
+      for (const details of document.querySelectorAll("details")) details.open = true;
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return {
+        tooWide: Math.max(0, scrollWidth - clientWidth),
+        // What could not be typeset stands as code.
+        code: [...document.querySelectorAll(".math > code")].map((math) => math.textContent),
+      };
+    });
+    assert.deepEqual({ ...told, wrong: one.wrong }, { tooWide: 0, code: [], wrong: [] }, entry.file);
+    await one.close();
+    opened += 1;
+  }
+  assert.ok(opened >= 15);
 });
 
 test("solids pass the validator of their format", async () => {
@@ -57,6 +75,14 @@ test("solids pass the validator of their format", async () => {
     "textbook/18.050",
     "published/heavy-top",
     "published/slider-crank-3d",
+    // Cords over wheels, belts, springs, dampers, couples, motions of all of these.
+    "textbook/18.023",
+    "textbook/18.C3",
+    "mechanisms/belt-with-an-idler",
+    "mechanisms/geared-hoist",
+    "mechanisms/swinging-atwood",
+    "mechanisms/vibration-absorber",
+    "mechanisms/rope-that-slips-on-a-heavy-wheel",
   ]) {
     const path = join(folder, "solids.glb");
     poinsot("report", join(examples, `${name}.yaml`), "-o", path, "--force");
@@ -114,6 +140,43 @@ test("another program finds the bodies where the motion has them", async () => {
     });
   }
   assert.ok(compared >= 4);
+});
+
+test("another program finds cords between the places that they hold, all the while", async () => {
+  const { GLTFLoader, AnimationMixer, Vector3 } = await loader();
+  const file = join(examples, "mechanisms/swinging-atwood.yaml");
+  const path = join(folder, "cords.glb");
+  poinsot("report", file, "-o", path, "--force");
+  const { scene } = JSON.parse(poinsot("solve", "--json", "--scene", file)).solutions[0];
+  const bytes = readFileSync(path);
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const read = await new GLTFLoader().parseAsync(buffer, "");
+  const mixer = new AnimationMixer(read.scene);
+  mixer.clipAction(read.animations[0]).play();
+  const { times, links: led } = scene.motion;
+  const root = read.scene.getObjectByName(scene.bodies[0].name).parent;
+  // Bodies stand first, then what runs between them.
+  const nodes = scene.links.map((link, i) => root.children[scene.bodies.length + i]);
+  let compared = 0;
+  for (const index of [0, 5, Math.floor(times.length / 2), times.length - 2]) {
+    mixer.setTime(times[index] - times[0]);
+    read.scene.updateMatrixWorld(true);
+    const inScene = (node, point) => root.worldToLocal(node.localToWorld(point));
+    const whereIs = ({ body, at }) => {
+      const place = new Vector3(...at);
+      return body < 0 ? place : inScene(root.children[body], place);
+    };
+    scene.links.forEach((link, i) => {
+      const own = led?.find((one) => one.link === i);
+      const from = own ? new Vector3().fromArray(own.from, 3 * index) : whereIs(link.from);
+      const to = own ? new Vector3().fromArray(own.to, 3 * index) : whereIs(link.to);
+      const near = 1e-4 * scene.length;
+      assert.ok(inScene(nodes[i], new Vector3(0, 0, 0)).distanceTo(from) < near, `${link.name} ${index}`);
+      assert.ok(inScene(nodes[i], new Vector3(0, 0, 1)).distanceTo(to) < near, `${link.name} ${index}`);
+      compared += 1;
+    });
+  }
+  assert.ok(compared >= 8);
 });
 
 const refused = (words, message) => {

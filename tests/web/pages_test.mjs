@@ -25,8 +25,9 @@ function pageOfText(name, text) {
   return path;
 }
 
-// One of each kind: an instant in letters, one in numbers, a blow, steady motion, claims, a motion, unknowns.
-const samples = ["textbook/18.003", "textbook/18.029", "textbook/18.100", "published/heavy-top"];
+// One of each kind: an instant in letters, one in numbers, a blow of a body of parts, steady motion, claims, a motion,
+// unknowns.
+const samples = ["textbook/18.003", "textbook/18.025", "textbook/18.029", "textbook/18.100", "published/heavy-top"];
 
 for (const name of samples) {
   test(`${name} opens without a word, fits a phone and can be read aloud`, async () => {

@@ -198,7 +198,8 @@ class Study(Mapping[str, Array]):
     def __repr__(self) -> str:
         missing = self.counts.rows - self.counts.answered
         without = f", {missing} without an answer" if missing else ""
-        return f"<poinsot.Study of {self.counts.rows} rows{without}: {', '.join(self.answers)}>"
+        over = ", ".join(f"{name} / {self.units[name]}" if self.units[name] else name for name in self.over)
+        return f"<poinsot.Study of {self.counts.rows} rows over {over}{without}: {', '.join(self.answers)}>"
 
     def _repr_html_(self) -> str:
         frame = self.frame()

@@ -21,7 +21,7 @@ from .plan import MANIFEST, PLAN, Plan
 from .result import Study, StudyError
 
 # Rows of a shard, which takes some milliseconds by formulas, and some seconds else.
-_ROWS_BY_FORMULA, _ROWS_BY_INSTANT, _ROWS_IN_FULL = 1 << 17, 1 << 14, 1 << 10
+_ROWS_BY_FORMULA, _ROWS_BY_INSTANT, _ROWS_IN_FULL = 1 << 17, 1 << 16, 1 << 10
 
 
 def study(
@@ -66,19 +66,20 @@ def study(
     heard = calls.listener(progress)
     try:
         kept: dict[int, shards.Rows] = {}
+        written: dict[int, shards.Written] = {}
         counts = shards.Counts()
         for shard, found in _found(plan, folder, threads, client):
             if isinstance(found, shards.Rows):
                 kept[shard] = found
-                counts += found.counts
             else:
-                counts += found
+                written[shard] = found
+            counts += found.counts
             if heard is not None:
                 heard("solving cases", counts.rows / plan.total, counts.rows)
     finally:
         calls.close(heard)
     if folder is not None:
-        _end(plan, folder, counts)
+        _end(plan, folder, counts, written)
         return Study(plan, counts, folder, {})
     return Study(plan, counts, None, kept)
 
@@ -217,26 +218,26 @@ def _clear(folder: Path) -> None:
         left.unlink(missing_ok=True)
 
 
-def _end(plan: Plan, folder: Path, counts: shards.Counts) -> None:
+def _end(plan: Plan, folder: Path, counts: shards.Counts, written: Mapping[int, shards.Written]) -> None:
     """Writes the manifest: what every file holds."""
     _clear(folder)
-    files = [shards.path_of(folder, shard) for shard in range(plan.shards)]
+    files = {shards.path_of(folder, shard).name: written[shard] for shard in range(plan.shards)}
     manifest = {
         **asdict(counts),
         "units": shards.units(plan),
-        "files": {path.name: {"sha256": shards.digest(path), **asdict(shards.counts_of(path))} for path in files},
+        "files": {name: {"sha256": one.sha256, **asdict(one.counts)} for name, one in files.items()},
     }
     shards.put(folder / MANIFEST, (json.dumps(manifest, indent=1) + "\n").encode())
 
 
 def _found(
     plan: Plan, folder: Path | None, threads: int | None, client: Any
-) -> Iterator[tuple[int, shards.Rows | shards.Counts]]:
+) -> Iterator[tuple[int, shards.Rows | shards.Written]]:
     """Every shard, in any order."""
     open_shards = []
     for shard in range(plan.shards):
         if folder is not None and (path := shards.path_of(folder, shard)).exists():
-            yield shard, shards.counts_of(path)
+            yield shard, shards.written_before(path)
         else:
             open_shards.append(shard)
     if client is not None:
@@ -250,15 +251,12 @@ def _found(
 
 def _in_threads(
     plan: Plan, open_shards: Iterable[int], folder: Path | None, threads: int
-) -> Iterator[tuple[int, shards.Rows | shards.Counts]]:
+) -> Iterator[tuple[int, shards.Rows | shards.Written]]:
     stop = _core.StopFlag()
 
-    def one(shard: int) -> tuple[int, shards.Rows | shards.Counts]:
+    def one(shard: int) -> tuple[int, shards.Rows | shards.Written]:
         rows = shards.solved(plan, shard, stop)
-        if folder is None:
-            return shard, rows
-        shards.write(plan, shard, rows, folder)
-        return shard, rows.counts
+        return shard, rows if folder is None else shards.write(plan, shard, rows, folder)
 
     pool = ThreadPoolExecutor(threads)
     try:

@@ -40,6 +40,14 @@ class Counts:
         return Counts(*(a + b for a, b in zip(asdict(self).values(), asdict(other).values(), strict=True)))
 
 
+@dataclass(frozen=True)
+class Written:
+    """A shard that lies in its file."""
+
+    counts: Counts
+    sha256: str
+
+
 @dataclass
 class Rows:
     """The rows of one shard, in SI units."""
@@ -78,7 +86,7 @@ def path_of(folder: Path, shard: int) -> Path:
     return folder / f"rows-{shard:06}.parquet"
 
 
-def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
+def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> Written:
     """Puts a shard into its file."""
     import pyarrow
     import pyarrow.parquet
@@ -88,14 +96,12 @@ def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
     arrays: list[Any] = [pyarrow.array(np.arange(first, first + rows.counts.rows))]
     fields = [pyarrow.field("row", pyarrow.int64(), nullable=False)]
     for name, column in {**rows.over, **rows.answers}.items():
-        arrays.append(pyarrow.array(column, mask=np.isnan(column)))
+        missing = np.isnan(column)
+        arrays.append(pyarrow.array(column, mask=missing if missing.any() else None))
         fields.append(pyarrow.field(name, pyarrow.float64(), metadata={"unit": of[name]}))
     arrays.append(pyarrow.DictionaryArray.from_arrays(rows.roads.astype(np.int8), list(ROADS)))
     fields.append(pyarrow.field("road", arrays[-1].type))
-    reasons: list[str | None] = [None] * rows.counts.rows
-    for row, reason in rows.reasons:
-        reasons[row] = reason
-    arrays.append(pyarrow.array(reasons, type=pyarrow.string()))
+    arrays.append(_reasons(rows))
     fields.append(pyarrow.field("reason", pyarrow.string()))
     schema = pyarrow.schema(fields, metadata={"poinsot": json.dumps(asdict(rows.counts))})
     table = pyarrow.Table.from_arrays(arrays, schema=schema)
@@ -103,7 +109,20 @@ def write(plan: Plan, shard: int, rows: Rows, folder: Path) -> None:
     sink = pyarrow.BufferOutputStream()
     # Random values share no bytes: to look for such takes longer than all else.
     pyarrow.parquet.write_table(table, sink, compression="none", use_dictionary=["road", "reason"])
-    put(path_of(folder, shard), sink.getvalue())
+    content = sink.getvalue()
+    put(path_of(folder, shard), content)
+    return Written(rows.counts, hashlib.sha256(content).hexdigest())
+
+
+def _reasons(rows: Rows) -> Any:
+    import pyarrow
+
+    if not rows.reasons:
+        return pyarrow.nulls(rows.counts.rows, pyarrow.string())
+    reasons: list[str | None] = [None] * rows.counts.rows
+    for row, reason in rows.reasons:
+        reasons[row] = reason
+    return pyarrow.array(reasons, type=pyarrow.string())
 
 
 def put(path: Path, content: Any) -> None:
@@ -133,6 +152,7 @@ def counts_of(path: Path) -> Counts:
     return Counts(**json.loads(metadata[b"poinsot"]))
 
 
-def digest(path: Path) -> str:
+def written_before(path: Path) -> Written:
+    """What a shard's file holds that another call has written."""
     with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+        return Written(counts_of(path), hashlib.file_digest(file, "sha256").hexdigest())

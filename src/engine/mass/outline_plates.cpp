@@ -114,6 +114,23 @@ Outline sector(const Point& center, const Point& normal, double radius, const Po
   return builder.finish();
 }
 
+Outline annular_sector(const Point& center, const Point& normal, double outer_radius, double inner_radius,
+                       const Point& middle, double angle, int per_turn) {
+  if (!(inner_radius > 0)) return sector(center, normal, outer_radius, middle, angle, per_turn);
+  const Turn turn = part_of_turn(-0.5 * angle, angle, per_turn);
+  if (turn.whole()) return annulus(center, normal, outer_radius, inner_radius, per_turn);
+  const Triad triad(normal, middle);
+  OutlineBuilder builder;
+  std::vector<std::uint32_t> border = builder.circle(center, triad, outer_radius, turn);
+  const std::vector<std::uint32_t> inner = builder.circle(center, triad, inner_radius, turn);
+  for (std::size_t k = 0; k + 1 < border.size(); ++k)
+    builder.face({inner[k], border[k], border[k + 1], inner[k + 1]}, triad.third);
+  border.insert(border.end(), inner.rbegin(), inner.rend());
+  border.push_back(border.front());
+  builder.edge(std::move(border));
+  return builder.finish();
+}
+
 Outline semicircle(const Point& A, const Point& B, const Point& toward, int per_turn) {
   const Point along = normalized(B - A), middle = toward - dot(toward, along) * along;
   return sector(0.5 * (A + B), cross(along, middle), 0.5 * norm(B - A), middle, std::numbers::pi, per_turn);

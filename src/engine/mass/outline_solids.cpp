@@ -210,6 +210,54 @@ Outline half_cylinder(const Point& A, const Point& B, double radius, const Point
   return builder.finish();
 }
 
+Outline thick_sector(const Point& center, const Point& normal, double outer_radius, double inner_radius,
+                     const Point& middle, double angle, double thickness, int per_turn) {
+  const Triad triad(normal, middle);
+  const Point low = center - 0.5 * thickness * triad.third, high = center + 0.5 * thickness * triad.third;
+  const Turn turn = part_of_turn(-0.5 * angle, angle, per_turn);
+  if (turn.whole()) return tube(low, high, outer_radius, inner_radius, per_turn);
+  OutlineBuilder builder;
+  std::vector<std::uint32_t> out_low = builder.circle(low, triad, outer_radius, turn);
+  std::vector<std::uint32_t> out_high = builder.circle(high, triad, outer_radius, turn);
+  // The tip of a sector takes the place of its inner arc.
+  const auto inner_arc = [&](const Point& at) {
+    if (inner_radius > 0) return builder.circle(at, triad, inner_radius, turn);
+    return std::vector<std::uint32_t>(out_low.size(), builder.vertex(at));
+  };
+  std::vector<std::uint32_t> in_low = inner_arc(low), in_high = inner_arc(high);
+  const std::size_t last = out_low.size() - 1;
+  const auto outward = [&](std::size_t i) {
+    return triad.at_angle(turn.from + turn.angle * static_cast<double>(i) / turn.segments);
+  };
+  const auto wall = [&](const std::vector<std::uint32_t>& below, const std::vector<std::uint32_t>& above, double side,
+                        std::size_t k) {
+    const Point here = side * outward(k), there = side * outward(k + 1);
+    builder.triangle({below[k], below[k + 1], above[k + 1]}, {here, there, there});
+    builder.triangle({below[k], above[k + 1], above[k]}, {here, there, here});
+  };
+  for (std::size_t k = 0; k < last; ++k) {
+    builder.face({in_low[k], out_low[k], out_low[k + 1], in_low[k + 1]}, -triad.third);
+    builder.face({in_high[k], out_high[k], out_high[k + 1], in_high[k + 1]}, triad.third);
+    wall(out_low, out_high, 1, k);
+    if (inner_radius > 0) wall(in_low, in_high, -1, k);
+  }
+  for (const std::size_t k : {std::size_t{0}, last}) {
+    const double beside = k == 0 ? turn.from - right_angle : turn.from + turn.angle + right_angle;
+    builder.face({in_low[k], out_low[k], out_high[k], in_high[k]}, triad.at_angle(beside));
+    builder.edge({out_low[k], out_high[k]});
+    if (inner_radius > 0 || k == 0) builder.edge({in_low[k], in_high[k]});
+  }
+  for (const auto& [out, in] : {std::pair{&out_low, &in_low}, std::pair{&out_high, &in_high}}) {
+    if (inner_radius > 0)
+      out->insert(out->end(), in->rbegin(), in->rend());
+    else
+      out->push_back(in->front());
+    out->push_back(out->front());
+    builder.edge(std::move(*out));
+  }
+  return builder.finish();
+}
+
 // The profile r^2 (1 - z/h) = x^2 above the base, in steps of x.
 Outline paraboloid(const Point& apex, const Point& base_center, double radius, int per_turn) {
   const double height = norm(apex - base_center);

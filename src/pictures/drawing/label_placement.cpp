@@ -144,9 +144,17 @@ class Placement {
 
   std::vector<Mark> run() {
     constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round)
-      for (std::size_t i = 0; i < requests_.size(); ++i)
-        if (!requests_[i].anchors.empty()) placed_[i] = best(i);
+    for (int round = 0; round < rounds; ++round) {
+      bool changes = false;
+      for (std::size_t i = 0; i < requests_.size(); ++i) {
+        if (requests_[i].anchors.empty()) continue;
+        const Placed next = best(i);
+        changes = changes || next.cost != placed_[i].cost || norm(next.at - placed_[i].at) != 0;
+        placed_[i] = next;
+      }
+      // The next round would find the same.
+      if (!changes) break;
+    }
     std::vector<Mark> marks;
     for (std::size_t i = 0; i < requests_.size(); ++i) {
       if (left_out(i)) continue;
@@ -172,7 +180,8 @@ class Placement {
             placed_[i].cost >= (requests_.size() > many ? most_among_many : most_for_optional));
   }
 
-  Placed best(std::size_t i) const {
+  Placed best(std::size_t i) {
+    note_others(i);
     Placed best;
     const LabelRequest& request = requests_[i];
     const Box& box = request.label.box;
@@ -194,6 +203,14 @@ class Placement {
     return best;
   }
 
+  // The labels that one stands among.
+  void note_others(std::size_t i) {
+    others_.clear();
+    for (std::size_t other = 0; other < requests_.size(); ++other)
+      if (other != i && std::isfinite(placed_[other].cost) && !left_out(other))
+        others_.push_back({requests_[other].label.box.moved(placed_[other].at), placed_[other].leader});
+  }
+
   double cost(std::size_t i, Placed& here, const Anchor& anchor, Point2 toward, double distance, double least) const {
     const Box box = requests_[i].label.box.moved(here.at);
     double sum = anchor.cost + 0.25 * distance;
@@ -204,18 +221,15 @@ class Placement {
       here.leader = {{anchor.at + 2.0 * direction(nearest(box, anchor.at) - anchor.at), nearest(box, anchor.at)}};
       sum += 3;
     }
-    for (std::size_t other = 0; other < requests_.size(); ++other) {
-      if (other == i || !std::isfinite(placed_[other].cost) || left_out(other)) continue;
-      const Box theirs = requests_[other].label.box.moved(placed_[other].at);
+    for (const auto& [theirs, leader] : others_) {
       if (theirs.grown(1.5).overlaps(box))
         sum += over_label;
       else if (Box{theirs.left - apart, theirs.top + 3, theirs.right + apart, theirs.bottom - 3}.overlaps(box))
         sum += reads_on;
       if (with_leader && meets(theirs, here.leader->first, here.leader->second)) sum += over_label;
-      if (placed_[other].leader && meets(box, placed_[other].leader->first, placed_[other].leader->second))
-        sum += over_label;
+      if (leader && meets(box, leader->first, leader->second)) sum += over_label;
+      if (sum >= least) return sum;
     }
-    if (sum >= least) return sum;
     const double enough = std::max(0.0, (least - sum - over_mark) / over_length);
     const double within = obstacles_.within(box.grown(clear), enough);
     if (within > 0) sum += over_mark + over_length * within;
@@ -226,8 +240,14 @@ class Placement {
     return sum;
   }
 
+  struct Other {
+    Box box;
+    std::optional<std::pair<Point2, Point2>> leader;
+  };
+
   std::vector<LabelRequest> requests_;
   std::vector<Placed> placed_;
+  std::vector<Other> others_{};
   Obstacles obstacles_;
   const std::function<bool(Point2)>& over_body_;
 };

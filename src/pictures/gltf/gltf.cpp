@@ -1,10 +1,14 @@
 #include "pictures/gltf/gltf.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "document/program_version.h"
 #include "pictures/gltf/glb.h"
+#include "pictures/gltf/moving_parts.h"
 #include "pictures/solids/solid.h"
 #include "poinsot/engine/math/algebra/quaternion.h"
 #include "poinsot/pictures.h"
@@ -25,6 +29,16 @@ constexpr std::array<std::array<double, 3>, 8> tones{{{0.093, 0.456, 0.815},
                                                       {0.0, 0.168, 0.445},
                                                       {0.665, 0.112, 0.0},
                                                       {0.319, 0.319, 0.319}}};
+// Those of cords, springs, curves and arrows, in the order of PartTone.
+constexpr std::array<std::array<double, 3>, 8> part_tones{{{0.02, 0.02, 0.02},
+                                                           {0.25, 0.3, 0.36},
+                                                           {0.665, 0.112, 0.0},
+                                                           {0.533, 0.02, 0.026},
+                                                           {0.462, 0.008, 0.337},
+                                                           {0.003, 0.156, 0.087},
+                                                           {0.105, 0.05, 0.672},
+                                                           {0.006, 0.095, 0.479}}};
+static_assert(part_tones.size() == static_cast<std::size_t>(PartTone::momentum) + 1, "a tone for each, in their order");
 enum Mode { points = 0, lines = 1, triangles = 4 };
 
 Numbers3 numbers(const Vector3<double>& v) {
@@ -56,7 +70,12 @@ class SceneWriter {
       nodes_.push_back(body_node(i));
       children.push_back(nodes_.size() - 1);
     }
-    if (scene_.motion) add_animation();
+    const std::vector<MovingPart> parts = moving_parts(scene_);
+    for (const MovingPart& part : parts) {
+      nodes_.push_back(part_node(part));
+      children.push_back(nodes_.size() - 1);
+    }
+    if (scene_.motion) add_animation(parts);
     Json root{{"name", title_.empty() ? "scene" : title_}, {"rotation", upright()}};
     if (!children.empty()) root["children"] = children;
     nodes_.push_back(root);
@@ -96,6 +115,23 @@ class SceneWriter {
       node["mesh"] = meshes_.size() - 1;
     }
     return node;
+  }
+
+  Json part_node(const MovingPart& part) {
+    Json primitives = Json::array();
+    const auto add = [&](const std::vector<Vector3<double>>& places, Mode mode) {
+      std::vector<Numbers3> all;
+      for (const Vector3<double>& place : places) all.push_back(numbers(place));
+      add_primitive(primitives, all, {}, mode, tone(part.tone));
+    };
+    if (!part.shape.lines.empty()) add(part.shape.lines, lines);
+    if (!part.shape.triangles.empty()) add(part.shape.triangles, triangles);
+    meshes_.push_back({{"name", part.name}, {"primitives", primitives}});
+    return {{"name", part.name},
+            {"translation", numbers(part.now.place)},
+            {"rotation", rotation(part.now.turn)},
+            {"scale", numbers(part.now.stretch)},
+            {"mesh", meshes_.size() - 1}};
   }
 
   void add_shape(Json& primitives, const scene::Shape& shape, const scene::Body& body, std::size_t index) {
@@ -150,8 +186,16 @@ class SceneWriter {
     return *edges_;
   }
 
+  std::size_t tone(PartTone one) {
+    const auto index = static_cast<std::size_t>(one);
+    constexpr std::array<const char*, part_tones.size()> names{"cords",   "springs",    "curves",        "forces",
+                                                               "couples", "velocities", "accelerations", "momenta"};
+    if (!of_tones_[index]) of_tones_[index] = add_material(names[index], part_tones[index]);
+    return *of_tones_[index];
+  }
+
   // Times begin at zero and ascend in single precision too; what falls together there is left out.
-  void add_animation() {
+  void add_animation(const std::vector<MovingPart>& parts) {
     const scene::Motion& motion = *scene_.motion;
     std::vector<float> times;
     std::vector<std::size_t> kept;
@@ -169,19 +213,43 @@ class SceneWriter {
       for (const std::size_t i : kept) {
         const scene::Pose& pose = motion.poses[i][body];
         places.push_back(numbers(pose.p));
-        Numbers4 turn = rotation(quaternion_of(pose.R));
-        // Of the two quaternions of a turn the one nearer to that before, so that what lies between is short.
-        if (!turns.empty()) {
-          float cosine = 0;
-          for (std::size_t k = 0; k < 4; ++k) cosine += turn[k] * turns.back()[k];
-          if (cosine < 0)
-            for (float& part : turn) part = -part;
-        }
-        turns.push_back(turn);
+        add_turn(turns, quaternion_of(pose.R));
       }
       add_channel(input, glb_.add_vectors(places), body, "translation");
       add_channel(input, glb_.add_quaternions(turns), body, "rotation");
     }
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      std::vector<Numbers3> places, stretches;
+      std::vector<Numbers4> turns;
+      for (const std::size_t i : kept) {
+        const Stance& stance = parts[k].along[i];
+        places.push_back(numbers(stance.place));
+        stretches.push_back(numbers(stance.stretch));
+        add_turn(turns, stance.turn);
+      }
+      const std::size_t node = scene_.bodies.size() + k;
+      const auto changes = [](const auto& all, const auto& now) {
+        return std::ranges::any_of(all, [&](const auto& one) { return one != now; });
+      };
+      if (changes(places, numbers(parts[k].now.place)))
+        add_channel(input, glb_.add_vectors(places), node, "translation");
+      if (changes(turns, rotation(parts[k].now.turn)))
+        add_channel(input, glb_.add_quaternions(turns), node, "rotation");
+      if (changes(stretches, numbers(parts[k].now.stretch)))
+        add_channel(input, glb_.add_vectors(stretches), node, "scale");
+    }
+  }
+
+  // Of the two quaternions of a turn the one nearer to that before, so that what lies between is short.
+  static void add_turn(std::vector<Numbers4>& turns, const Quaternion<double>& next) {
+    Numbers4 turn = rotation(next);
+    if (!turns.empty()) {
+      float cosine = 0;
+      for (std::size_t k = 0; k < 4; ++k) cosine += turn[k] * turns.back()[k];
+      if (cosine < 0)
+        for (float& part : turn) part = -part;
+    }
+    turns.push_back(turn);
   }
 
   void add_channel(std::size_t input, std::size_t output, std::size_t node, const char* path) {
@@ -196,6 +264,7 @@ class SceneWriter {
        channels_ = Json::array();
   std::optional<std::pair<std::size_t, std::size_t>> of_body_{};  // the last body, and its material
   std::optional<std::size_t> edges_{};
+  std::array<std::optional<std::size_t>, part_tones.size()> of_tones_{};
 };
 
 }  // namespace

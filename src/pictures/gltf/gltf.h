@@ -1,4 +1,5 @@
-// A scene as a glTF file: the bodies with their surfaces and edges, and their motion as an animation.
+// A scene as a glTF file: the bodies with their surfaces and edges, cords and springs between them, arrows, and the
+// motion of all as an animation.
 #pragma once
 
 #include <string>

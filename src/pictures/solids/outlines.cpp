@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -87,6 +88,147 @@ void keep_bends(const std::vector<Point2>& points, double seen, std::vector<bool
   }
 }
 
+// Which points lie on the convex hull of all.
+std::vector<bool> on_hull(const std::vector<Point2>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(points[i].x, points[i].y); });
+  std::vector<bool> found(points.size());
+  for (const double side : {1.0, -1.0}) {  // the lower and the upper half
+    std::vector<std::size_t> half;
+    for (const std::size_t i : order) {
+      const auto turns_in = [&] {
+        const Point2 a = points[half[half.size() - 2]], b = points[half.back()], c = points[i];
+        return side * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) <= 0;
+      };
+      while (half.size() > 1 && turns_in()) half.pop_back();
+      half.push_back(i);
+    }
+    for (const std::size_t i : half) found[i] = true;
+  }
+  return found;
+}
+
+// The tangent of the circle through three points at the one in the middle.
+Point2 tangent_between(Point2 a, Point2 b, Point2 c) {
+  const Point2 before = b - a, after = c - b;
+  const double first = norm(before), second = norm(after);
+  return direction((second / first) * before + (first / second) * after);
+}
+
+// The angle by which a line turns at the middle one of three points.
+double turn_at(Point2 a, Point2 b, Point2 c) { return std::abs(std::atan2(cross(b - a, c - b), dot(b - a, c - b))); }
+
+// Puts further points between those of a curve without corners, on cubic pieces through them.
+std::vector<Point2> curve_through(const std::vector<Point2>& points, bool closed) {
+  constexpr double finest = 0.2;  // radians between two chords
+  constexpr double longest = 12;  // units of the paper
+  constexpr std::size_t least = 4;
+  const std::size_t count = points.size();
+  if (count < least) return points;
+  std::vector<Point2> tangents(count);
+  std::vector<double> turns(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool end = i == 0 || i + 1 == count;
+    if (end && !closed) continue;
+    // A closed line ends with its first point.
+    const Point2 &before = points[end ? count - 2 : i - 1], &after = points[end ? 1 : i + 1];
+    turns[i] = turn_at(before, points[i], after);
+    tangents[i] = tangent_between(before, points[i], after);
+  }
+  if (!closed) {
+    const auto mirrored = [](Point2 tangent, Point2 along) { return 2 * dot(tangent, along) * along - tangent; };
+    tangents.front() = mirrored(tangents[1], direction(points[1] - points[0]));
+    tangents.back() = mirrored(tangents[count - 2], direction(points[count - 1] - points[count - 2]));
+    turns.front() = turns[1];
+    turns.back() = turns[count - 2];
+  }
+  std::vector<Point2> finer;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const Point2 from = points[i], to = points[i + 1];
+    const double chord = norm(to - from);
+    const double parts = std::max(chord / longest, (turns[i] + turns[i + 1]) / 2 / finest);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(parts)));
+    const Point2 first = from + chord / 3 * tangents[i], second = to - chord / 3 * tangents[i + 1];
+    for (int k = 0; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / pieces, u = 1 - t;
+      finer.push_back(u * u * u * from + 3 * u * u * t * first + 3 * u * t * t * second + t * t * t * to);
+    }
+  }
+  finer.push_back(points.back());
+  return finer;
+}
+
+// Makes curves of what runs between corners, so that it has no flats where its points are far apart and no corners
+// where it turns fast.
+void round_off(std::vector<Point2>& points, bool closed) {
+  constexpr double sharpest = 0.9;  // radians between two chords: what turns more is a corner
+  constexpr std::size_t least = 5;
+  if (points.size() < least) return;
+  const auto is_corner = [&](std::size_t i) {
+    const std::size_t last = points.size() - 1;
+    const bool end = i == 0 || i == last;
+    return turn_at(points[end ? last - 1 : i - 1], points[i], points[end ? 1 : i + 1]) > sharpest;
+  };
+  std::vector<std::size_t> corners;
+  for (std::size_t i = closed ? 0 : 1; i + 1 < points.size(); ++i)
+    if (is_corner(i)) corners.push_back(i);
+  if (closed && corners.empty()) {
+    points = curve_through(points, true);
+    return;
+  }
+  if (closed) {
+    // From a corner to itself.
+    points.pop_back();
+    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(corners.front()), points.end());
+    points.push_back(points.front());
+    const std::size_t first = corners.front();
+    corners.erase(corners.begin());
+    for (std::size_t& corner : corners) corner -= first;
+  }
+  corners.push_back(points.size() - 1);
+  std::vector<Point2> all{points.front()};
+  std::size_t begin = 0;
+  for (const std::size_t end : corners) {
+    const std::vector<Point2> run = curve_through(
+        {points.begin() + static_cast<std::ptrdiff_t>(begin), points.begin() + static_cast<std::ptrdiff_t>(end) + 1},
+        false);
+    all.insert(all.end(), run.begin() + 1, run.end());
+    begin = end;
+  }
+  points = std::move(all);
+}
+
+// Of what is convex all corners of triangles lie within the true outline: of those that a silhouette goes through, the
+// outermost are nearest to it. Returns false if the line is not that of something convex, and leaves it as it is.
+bool keep_outermost(std::vector<Point2>& points, double to_and_fro) {
+  std::vector<bool> kept = on_hull(points);
+  kept.front() = kept.back() = true;
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!kept[i]) continue;
+    for (std::size_t k = last + 1; k < i; ++k)
+      if (distance(points[k], points[last], points[i]) > to_and_fro) return false;
+    last = i;
+  }
+  constexpr double too_near = 0.3;  // of the next chord: what is seen as a bend
+  constexpr double unseen = 0.4;    // units of the paper
+  std::vector<Point2> outer;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!kept[i]) continue;
+    while (outer.size() > 1) {
+      const Point2 before = outer[outer.size() - 2], here = outer.back();
+      const double first = norm(here - before), second = norm(points[i] - here);
+      if (std::min(first, second) > too_near * std::max(first, second) || distance(here, before, points[i]) > unseen)
+        break;
+      outer.pop_back();
+    }
+    outer.push_back(points[i]);
+  }
+  points = std::move(outer);
+  return true;
+}
+
 // A silhouette goes to and fro along the sides of triangles, by a part of what it goes around: what is left is where it
 // goes. Through points as far apart as that a curve is smooth, where nearer ones would give it bends.
 void simplify(SeenLine& line) {
@@ -99,12 +241,16 @@ void simplify(SeenLine& line) {
   constexpr double least = 0.25, to_and_fro = 0.002;  // units of the paper; of the line's width and height
   Box box;
   for (const Point2& point : line.points) box.include(point);
+  constexpr double most_to_and_fro = 5;  // of what is simplified
+  const bool convex = keep_outermost(line.points, most_to_and_fro * to_and_fro * (box.width() + box.height()));
   std::vector<bool> kept(line.points.size());
   kept.front() = kept.back() = true;
   keep_bends(line.points, std::max(least, to_and_fro * (box.width() + box.height())), kept);
   std::vector<Point2> points;
-  for (std::size_t i = 0; i + (line.closed ? 1 : 0) < line.points.size(); ++i)
+  for (std::size_t i = 0; i < line.points.size(); ++i)
     if (kept[i]) points.push_back(line.points[i]);
+  if (convex) round_off(points, line.closed);
+  if (line.closed) points.pop_back();
   line.points = std::move(points);
 }
 

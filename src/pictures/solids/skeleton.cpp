@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "pictures/solids/bent_arms.h"
 #include "pictures/solids/gimbals.h"
@@ -109,7 +110,7 @@ std::optional<Vector> along_axis(const scene::Scene& scene, int body, const std:
 }
 
 // The point of the shapes that is nearest to a place; the place itself if it lies within the bounds of a volume.
-Vector nearest_of_shapes(const std::vector<Solid>& solids, const Vector& place, double little) {
+Vector nearest_of_shapes(std::span<const Solid> solids, const Vector& place, double little) {
   Vector best = place;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](const Vector& p) {
@@ -134,7 +135,7 @@ Vector nearest_of_shapes(const std::vector<Solid>& solids, const Vector& place, 
 
 // The shortest way from one part to another: from the best of its points, then to and fro between the nearest points.
 std::array<Vector, 2> way_between(const Solid& first, const Solid& second, double near) {
-  const std::vector<Solid> from{first}, to{second};
+  const std::span<const Solid> from(&first, 1), to(&second, 1);
   std::vector<Vector> starts;
   const std::size_t stride = first.vertices.size() / 100 + 1;
   for (std::size_t v = 0; v < first.vertices.size(); v += stride) starts.push_back(first.vertices[v]);
@@ -144,6 +145,7 @@ std::array<Vector, 2> way_between(const Solid& first, const Solid& second, doubl
   std::array<Vector, 2> best{};
   double least = std::numeric_limits<double>::infinity();
   for (const Vector& start : starts) {
+    if (least == 0) break;
     const Vector end = nearest_of_shapes(to, start, near);
     if (norm(end - start) < least) {
       least = norm(end - start);
@@ -152,8 +154,10 @@ std::array<Vector, 2> way_between(const Solid& first, const Solid& second, doubl
   }
   constexpr int rounds = 40;
   for (int i = 0; i < rounds; ++i) {
+    const std::array<Vector, 2> before = best;
     best[0] = nearest_of_shapes(from, best[1], near);
     best[1] = nearest_of_shapes(to, best[0], near);
+    if (norm(best[0] - before[0]) + norm(best[1] - before[1]) == 0) break;
   }
   // From middle to middle if that is hardly longer.
   constexpr double hardly_longer = 1.05;

@@ -13,6 +13,7 @@
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
 #include "problem/witness/attraction_bound.h"
 #include "problem/witness/particle_witness.h"
@@ -64,12 +65,16 @@ double allowed(std::string_view check) {
 
 // Whether the motion is confirmed as far as one of several questions leads: others may lead to where it is so sensitive
 // that nothing is known of it.
-bool is_confirmed_alone(const Statement& statement, const Sample& all, const Ask& ask) {
+bool is_confirmed_alone(const Statement& statement, const Sample& all, const Ask& ask, const Value<double>& told) {
   const auto finds = [](const Situation& situation) { return !situation.find.empty(); };
   if (statement.asks.size() < 2 || ask.extremum || std::ranges::any_of(statement.situations, finds)) return false;
   try {
     Sample alone(statement, all.settings(), all.choice());
-    asked_value(alone, ask);
+    // What is told is that of the motion that leads on to the others.
+    constexpr double same_motion = 1e-6, rounding = 1e-9;
+    const Value<double> value = asked_value(alone, ask);
+    const double natural = ask.when ? 0 : alone.instant_of(ask).natural_size(dimension_of(value));
+    if (!same(value, told, same_motion * size_of(told) + rounding * natural)) return false;
     Solution checked;
     check_motions(
         alone, [](const SolvedInstant&) {}, checked);
@@ -265,7 +270,7 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     for (std::size_t i = 0; i < result.asks.size(); ++i) {
       SolvedAsk& ask = result.asks[i];
       if (ask.state != AskState::found || (of_stability && !looks_near_steady(statement.asks[i])) ||
-          (of_way && is_confirmed_alone(statement, sample, statement.asks[i])))
+          (of_way && is_confirmed_alone(statement, sample, statement.asks[i], ask.value)))
         continue;
       result.refused = result.refused || (of_way && !of_motion);
       ask.state = AskState::refused;

@@ -192,7 +192,7 @@ class ContactStates {
       note(held);
       for (States& states : held.all) {
         for (ContactState& state : states)
-          if (state.slip && !state.in_joint && !name_direction(state, situation, settings))
+          if (state.slip && !state.in_joint && !name_line(state, situation, settings))
             direction_changes(situation, state);
         if (std::ranges::none_of(all, [&](const States& known) { return are_same(known, states); }))
           all.push_back(std::move(states));
@@ -253,27 +253,37 @@ class ContactStates {
       return states;
     }
     DataScope<double> data(situation, settings_, 0);
-    const Vector3<double> n = data.direction(contact.normal);
+    const auto direction_of = [&](const Expression& expression) -> std::optional<Vector3<double>> {
+      try {
+        return data.direction(expression);
+      } catch (const StatementError&) {
+        return std::nullopt;  // It depends on an unknown, or is none.
+      }
+    };
+    const std::optional<Vector3<double>> n = direction_of(contact.normal);
+    std::vector<Expression> directions;
     std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
     for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
-    std::vector<Vector3<double>> known;
     for (const std::string& text : names)
-      for (const bool opposite : {false, true}) {
-        const Expression named = named_direction(text, opposite);
-        Vector3<double> d;
-        try {
-          d = data.direction(named);
-        } catch (const StatementError&) {
-          continue;  // It depends on an unknown.
-        }
+      for (const bool opposite : {false, true}) directions.push_back(named_direction(text, opposite));
+    std::ranges::copy(lines_across(situation, contact), std::back_inserter(directions));
+    const std::size_t named = 2 * names.size();
+    std::vector<Vector3<double>> known;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      // Where the normal depends on an unknown, only lines across it that are told by it are sure to lie across it.
+      if (n) {
+        const std::optional<Vector3<double>> d = direction_of(directions[k]);
         constexpr double rounding =
             1e-9;  // of directions that data tell: which lie across the normal, and which are one
-        if (std::abs(dot(d, n)) > rounding ||
-            std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - d) < rounding; }))
+        if (!d || std::abs(dot(*d, *n)) > rounding ||
+            std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - *d) < rounding; }))
           continue;
-        known.push_back(d);
-        states.push_back({contact.name, i, Grip::slides, named, false, false});
+        known.push_back(*d);
+      } else if (k < named) {
+        continue;
       }
+      states.push_back({contact.name, i, Grip::slides, directions[k], false, false});
+    }
     states.push_back({contact.name, i, Grip::parts, {}, false, false});
     return states;
   }
@@ -399,7 +409,7 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
     if (!situation.has_friction()) continue;
     try {
       for (ContactState& state : states_at_start(situation, i, drawn)) {
-        if (state.slip && !state.in_joint) name_direction(state, situation, drawn);
+        if (state.slip && !state.in_joint) name_line(state, situation, drawn);
         states.push_back(std::move(state));
       }
     } catch (const StatementError&) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "problem/results/compare_values.h"
 
@@ -10,10 +11,10 @@ namespace {
 
 class FactCheck {
  public:
-  // before: the instant before the blow, if `instant` is the one after it.
-  FactCheck(const Situation& situation, SolvedInstant& instant, const SolvedInstant* before,
+  // before: tells the instant before the blow, if `instant` is the one after it.
+  FactCheck(const Situation& situation, SolvedInstant& instant, std::function<const SolvedInstant*()> before,
             SolvedInstant::Elsewhere elsewhere)
-      : situation_(situation), instant_(instant), before_(before), elsewhere_(std::move(elsewhere)) {}
+      : situation_(situation), instant_(instant), before_(std::move(before)), elsewhere_(std::move(elsewhere)) {}
 
   std::optional<double> largest;
 
@@ -53,7 +54,7 @@ class FactCheck {
 
   void compare(double found, double stated, double size, const Dimension& dimension) {
     double beside = std::max({size, std::abs(found), std::abs(stated), instant_.natural_size(dimension)});
-    if (before_) beside = std::max(beside, before_->natural_size(dimension));
+    if (const SolvedInstant* before = before_()) beside = std::max(beside, before->natural_size(dimension));
     // Where nothing moves, weighs or pushes, rates are zero without rounding.
     const double misfit = found == stated ? 0 : std::abs(found - stated) / beside;
     largest = std::max(largest.value_or(0), misfit);
@@ -61,7 +62,7 @@ class FactCheck {
 
   const Situation& situation_;
   SolvedInstant& instant_;
-  const SolvedInstant* before_;
+  std::function<const SolvedInstant*()> before_;
   SolvedInstant::Elsewhere elsewhere_;
 };
 
@@ -76,7 +77,9 @@ std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sa
     const Situation& situation = statement.situations[home.situation];
     const bool after_blow = instant->after_blow();
     if (home.instant > 0 && !after_blow) continue;
-    const SolvedInstant* before = after_blow ? &sample.instant({home.situation, 0, std::nullopt}) : nullptr;
+    const auto before = [&sample, number = home.situation, after_blow]() -> const SolvedInstant* {
+      return after_blow ? &sample.instant({number, 0, std::nullopt}) : nullptr;
+    };
     FactCheck check(situation, *instant, before, [&sample](const At& past, const Mark& mark) {
       return sample.instant(sample.resolve(past, mark)).raw(past.expression, std::nullopt, nullptr);
     });

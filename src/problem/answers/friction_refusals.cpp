@@ -85,15 +85,8 @@ void refuse_beside_rough_teeth(const Statement& statement) {
 
 }  // namespace
 
-void refuse_beside_rough_blows(const Statement& statement, const Settings& settings) {
+void refuse_beside_rough_blows(const Statement& statement) {
   refuse_beside_rough_teeth(statement);
-  for (const Situation& situation : statement.situations)
-    for (const Contact& contact : situation.contacts) {
-      if (!contact.strikes_later()) continue;
-      if (statement.record)
-        fail(situation.file, contact.mark, "motions with blows that come later are not recorded",
-             "ask for tables over the time");
-    }
   for (const Situation& situation : statement.situations) {
     const auto rough =
         std::ranges::find_if(situation.impacts, [](const Impact& impact) { return impact.friction.has_value(); });
@@ -101,10 +94,6 @@ void refuse_beside_rough_blows(const Statement& statement, const Settings& setti
     const auto refuse = [&](const std::string& message, const std::string& hint) {
       fail(situation.file, rough->friction->mark(), message, hint);
     };
-    if (const std::vector<Letter> open = open_letters(statement, settings); !open.empty())
-      refuse("with friction, blows are solved for numbers: how long impact '" + rough->name + "' slips depends on '" +
-                 open.front().name + "', which has no value",
-             "give the letters values by --set or under given:");
     if (!statement.claims.empty())
       refuse("claims are not decided where blows have friction: slipping and sticking would have to be told apart",
              "ask for the quantity, or leave out the friction");

@@ -10,9 +10,9 @@ namespace poinsot::problem {
 // claims, tables over data beside unknowns, and extrema but for the limit of sticking.
 void refuse_beside_friction(const Statement& statement, const Settings& settings);
 
-// Throws StatementError for what is not solved with blows at rough contacts: letters without value, claims and choices;
+// Throws StatementError for what is not solved with blows at rough contacts: claims and choices;
 // and with friction of teeth.
-void refuse_beside_rough_blows(const Statement& statement, const Settings& settings);
+void refuse_beside_rough_blows(const Statement& statement);
 
 // Whether the extremum is the limit up to which contacts stick: {smallest: mu, while: sticking(floor)}.
 bool is_limit_of_sticking(const Ask& ask);

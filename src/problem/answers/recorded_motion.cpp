@@ -10,6 +10,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/machine/data.h"
+#include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
 namespace {
@@ -29,6 +30,26 @@ const Record& record_of(const Statement& statement) {
     fail(statement.file, statement.record->mark, "a recording is of a file with one situation",
          "state the situations in files of their own");
   return *statement.record;
+}
+
+RecordedState recorded_state(const MotionCheckpoint& there) {
+  RecordedState state{there.state.time, there.state.stage, there.stage_start,
+                      there.state.q,    there.state.v,     there.state.acting};
+  for (const BlowsOfAction& blows : there.struck) {
+    state.fastest_blows.push_back(blows.fastest);
+    state.told_blows.push_back(blows.told);
+  }
+  state.flight = there.flight;
+  return state;
+}
+
+MotionCheckpoint checkpoint_of(const RecordedState& state) {
+  MotionCheckpoint there{{state.time, static_cast<std::size_t>(state.stage), state.q, state.v, state.acting},
+                         state.stage_start};
+  for (std::size_t i = 0; i < state.fastest_blows.size(); ++i)
+    there.struck.push_back({state.fastest_blows[i], static_cast<int>(state.told_blows.at(i))});
+  there.flight = state.flight;
+  return there;
 }
 
 MotionColumns columns_of(const Statement& statement) { return {*statement.record, "what is to be recorded"}; }
@@ -98,9 +119,7 @@ RecordedMotion::RecordedMotion(Statement statement, const std::vector<std::pair<
   // Whether a column is determined may show only after the motion has changed noticeably.
   const double reached = answered([&] {
     parts.motion = std::make_unique<Course>(parts.situation(), parts.settings, OpenChoice{});
-    const MotionCheckpoint start = parts.motion->checkpoint();
-    parts.start = {start.state.time, start.state.stage, start.stage_start,
-                   start.state.q,    start.state.v,     start.state.acting};
+    parts.start = recorded_state(parts.motion->checkpoint());
     const double span = parts.rows ? parts.time_of(*parts.rows - 1) : std::numeric_limits<double>::infinity();
     return parts.motion->follow(std::min(parts.motion->pace_time(), span));
   });
@@ -142,7 +161,11 @@ RecordedChecks RecordedMotion::Parts::check(double time) {
   const solve::CheckResult& residual = checked.particles;
   const RecordedChecks checks{residual.momentum, residual.energy, residual.newton_euler,
                               motion->energy_drift().value_or(0)};
-  const double apart = std::max(checked.constraints.value_or(0), checked.friction.value_or(0));
+  // The second road along a blow with friction goes in small steps.
+  constexpr double of_rough_blows = recording_tolerance / blow_tolerance;
+  const double apart =
+      std::max({checked.constraints.value_or(0), checked.friction.value_or(0), motion->blow_misfit().value_or(0),
+                of_rough_blows * motion->rough_blow_misfit().value_or(0)});
   const double largest = std::max({checks.momentum, checks.energy, checks.newton_euler, checks.energy_drift, apart});
   if (!(largest <= recording_tolerance))
     throw UnansweredRecord(statement.file + ": the independent check does not confirm the motion at " +
@@ -154,8 +177,7 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
   Parts& parts = *parts_;
   Course& motion = *parts.motion;
   return answered([&] {
-    motion.continue_from(
-        {{from.time, static_cast<std::size_t>(from.stage), from.q, from.v, from.acting}, from.stage_start});
+    motion.continue_from(checkpoint_of(from));
     std::uint64_t end_row = first_row + parts.block_rows;
     const bool last = parts.rows && end_row >= *parts.rows;
     if (last) end_row = *parts.rows;
@@ -175,8 +197,7 @@ RecordedBlock RecordedMotion::block(std::uint64_t first_row, const RecordedState
     block.checks = parts.check(reached);
     block.notes = motion.happenings();
     if (over || last) return block;
-    const MotionCheckpoint next = motion.checkpoint();
-    block.next = {next.state.time, next.state.stage, next.stage_start, next.state.q, next.state.v, next.state.acting};
+    block.next = recorded_state(motion.checkpoint());
     return block;
   });
 }

@@ -27,6 +27,10 @@ struct RecordedState {
   double stage_start = 0;    // s
   std::vector<double> q, v;  // coordinates and velocities
   std::vector<bool> acting;  // for each cord and contact whether it acts; if empty, all do
+  // Of each of them the largest speed with which it was struck and how many of its blows have been told; both empty if
+  // none was struck. From a blow there to the next one as it began, s; none if zero.
+  std::vector<double> fastest_blows{}, told_blows{};
+  double flight = 0;
   bool operator==(const RecordedState&) const = default;
 };
 

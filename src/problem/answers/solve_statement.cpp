@@ -449,7 +449,7 @@ SolvedStatement solve_statement(const Statement& statement,
   if (statement.asks.empty() && statement.claims.empty())
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   const Settings settings = read_settings(statement, sets);
-  refuse_beside_rough_blows(statement, settings);
+  refuse_beside_rough_blows(statement);
   if (has_open_contact_states(statement))
     return solve_contact_states(statement, settings,
                                 [&](const Statement& tried) { return solve_statement(tried, sets, tell_claims); });

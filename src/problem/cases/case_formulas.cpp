@@ -27,7 +27,6 @@ class FormulaTracer {
     for (const VariedDatum& datum : data) inputs_[datum.name] = trace_.input(sample_of(datum));
     add_answers(solved.solutions.front());
     add_derivatives(data.size(), by);
-    results_ = outputs_.size();
     add_conditions(solved.solutions.front());
     for (const VariedDatum& datum : data)
       if (is_positive_letter(datum)) outputs_.push_back(inputs_.at(datum.name));
@@ -35,7 +34,6 @@ class FormulaTracer {
   }
 
   ColumnProgram program() const { return ColumnProgram(StraightLine(trace_, outputs_)); }
-  std::size_t conditions() const { return outputs_.size() - results_; }
 
  private:
   bool is_positive_letter(const VariedDatum& datum) const {
@@ -106,7 +104,6 @@ class FormulaTracer {
   Trace trace_;
   std::map<std::string, Traced> inputs_;
   std::vector<Traced> outputs_;
-  std::size_t results_ = 0;
   std::set<std::string> told_;  // the words of what is among the conditions
 };
 
@@ -116,7 +113,7 @@ std::optional<CaseFormulas> CaseFormulas::made(const SolvedStatement& solved, co
                                                const std::vector<std::size_t>& by, std::string& reason) {
   try {
     const FormulaTracer tracer(solved, data, by);
-    return CaseFormulas(tracer.program(), tracer.conditions());
+    return CaseFormulas(tracer.program());
   } catch (const std::domain_error& error) {
     reason = error.what();
   } catch (const FormulaTooLarge& error) {
@@ -127,20 +124,7 @@ std::optional<CaseFormulas> CaseFormulas::made(const SolvedStatement& solved, co
 
 std::vector<char> CaseFormulas::evaluate(std::span<const double* const> data, std::size_t rows,
                                          std::span<double* const> results) const {
-  std::vector<double> positive(conditions_ * rows);
-  std::vector<double*> outputs(results.begin(), results.end());
-  for (std::size_t k = 0; k < conditions_; ++k) outputs.push_back(positive.data() + k * rows);
-  program_.evaluate(data, rows, outputs);
-  std::vector<char> valid(rows, 1);
-  for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const double* const column = outputs[k];
-    if (k < results.size())
-      for (std::size_t row = 0; row < rows; ++row)
-        valid[row] = static_cast<char>(valid[row] & std::isfinite(column[row]));
-    else
-      for (std::size_t row = 0; row < rows; ++row) valid[row] = static_cast<char>(valid[row] & (column[row] > 0));
-  }
-  return valid;
+  return program_.evaluate_where_valid(data, rows, results);
 }
 
 }  // namespace poinsot::problem

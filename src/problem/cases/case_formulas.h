@@ -43,10 +43,9 @@ class CaseFormulas {
   std::size_t operations() const { return program_.operations(); }
 
  private:
-  CaseFormulas(ColumnProgram program, std::size_t conditions) : program_(std::move(program)), conditions_(conditions) {}
+  explicit CaseFormulas(ColumnProgram program) : program_(std::move(program)) {}
 
   ColumnProgram program_;  // its outputs are the results and then what must be positive
-  std::size_t conditions_ = 0;
 };
 
 }  // namespace poinsot::problem

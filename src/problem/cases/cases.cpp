@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "poinsot/engine/work/budget.h"
 #include "problem/answers/letter_draws.h"
@@ -25,6 +26,8 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 // How many cases there are to each that is checked in full.
 constexpr std::uint64_t cases_to_a_check = 1000;
+// Cases that go by a program before the next: their columns stay near the processor while they are made and written.
+constexpr std::size_t cases_at_once = 4096;
 // Of the size of an answer: the formulas of other roots and other regimes differ by far more. Where the terms of a
 // formula cancel, rounding leaves less than a part in 1e9 of what its answer is at other cases.
 constexpr double same_answer = 1e-7, cancelled = 1e-9;
@@ -38,6 +41,27 @@ std::vector<Dimension> dimensions_in(const Value<Scalar>& value) {
   std::vector<Dimension> found(numbers_in(value).size(), value.dimension);
   for (std::size_t k = 0; value.is_list() && k < found.size(); ++k) found[k] = value.items[k].dimension;
   return found;
+}
+
+// A reason without the places in the file that it names: what is wrong in a row is no fault of a line there.
+std::string without_place(std::string reason, const std::string& file) {
+  const auto digits_from = [&](std::size_t at) {
+    return std::min(reason.find_first_not_of("0123456789", at), reason.size());
+  };
+  for (std::size_t at = reason.find(file + ":"); !file.empty() && at != std::string::npos;
+       at = reason.find(file + ":", at)) {
+    const std::size_t line = at + file.size() + 1, colon = digits_from(line), column = colon + 1;
+    const bool has_line = colon > line && reason.compare(colon, 1, ":") == 0;
+    const std::size_t end = has_line ? digits_from(column) : column;
+    if (!has_line || end == column || reason.compare(end, 2, ": ") != 0) {
+      ++at;
+      continue;
+    }
+    constexpr std::string_view severity = "error: ";
+    const std::size_t text = end + 2;
+    reason.erase(at, text - at + (reason.compare(text, severity.size(), severity) == 0 ? severity.size() : 0));
+  }
+  return reason;
 }
 
 std::string reason_of(const SolvedAsk& ask) {
@@ -201,7 +225,7 @@ void CompiledCases::take_shape(const Solution& solution) {
 
 SolvedStatement CompiledCases::solved_in_full(const Columns& data, std::size_t row, Purpose purpose) const {
   if (all_have_values_) {
-    const Settings settings = settings_at(data, row).front();
+    const Settings settings = settings_in(data, row);
     return purpose == Purpose::told ? solve_questions(statement_, settings) : solve_to_compare(statement_, settings);
   }
   std::vector<std::pair<std::string, std::string>> sets = sets_;
@@ -218,10 +242,11 @@ std::string CompiledCases::solve_row(const Columns& data, std::size_t row, Purpo
   try {
     solved = solved_in_full(data, row, purpose);
   } catch (const StatementError& error) {
-    return error.diagnostics().front().message;
+    return without_place(error.diagnostics().front().message, statement_.file);
   }
   if (solved.ended) throw BudgetEnded{*solved.ended};
-  if (solved.solutions.empty()) return solved.warnings.empty() ? "there is no solution" : solved.warnings.front();
+  if (solved.solutions.empty())
+    return solved.warnings.empty() ? "there is no solution" : without_place(solved.warnings.front(), statement_.file);
   if (solved.solutions.size() > 1) return fmt::format("there are {} solutions", solved.solutions.size());
   std::string reasons;
   std::size_t at = 0;
@@ -237,33 +262,41 @@ std::string CompiledCases::solve_row(const Columns& data, std::size_t row, Purpo
       reasons += (reasons.empty() ? "" : "; ") + statement_.asks[i].name + ": " + reason;
     at += size;
   }
-  return reasons;
+  return without_place(std::move(reasons), statement_.file);
 }
 
-bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const SolvedCases& found,
-                               const std::vector<double>& sizes, bool& quickly) const {
+bool CompiledCases::is_refuted(const Columns& data, std::size_t row, const SolvedCases& found, bool& quickly) const {
   const bool finite = std::ranges::all_of(data, [&](const auto& column) { return std::isfinite(column[row]); });
   // A full solution decides in doubt.
   if (quickly && finite) {
-    const auto confirmed = confirmed_numbers(statement_, settings_at(data, row).front());
-    quickly = confirmed && confirmed->size() == answers_ && agree(*confirmed, row, found, sizes);
+    const auto confirmed = confirmed_numbers(statement_, settings_in(data, row));
+    quickly = confirmed && confirmed->size() == answers_ && agree(*confirmed, row, found);
     if (quickly) return derivatives_differ(data, row, found);
   }
   std::vector<double> numbers;
-  return !solve_row(data, row, Purpose::compared, numbers).empty() || !agree(numbers, row, found, sizes) ||
+  return !solve_row(data, row, Purpose::compared, numbers).empty() || !agree(numbers, row, found) ||
          derivatives_differ(data, row, found);
 }
 
-bool CompiledCases::agree(const std::vector<double>& numbers, std::size_t row, const SolvedCases& found,
-                          const std::vector<double>& sizes) const {
+bool CompiledCases::agree(const std::vector<double>& numbers, std::size_t row, const SolvedCases& found) const {
+  // The largest of a column.
+  const auto largest = [&](std::size_t column) {
+    double size = 0;
+    for (std::size_t other = 0; other < found.roads.size(); ++other)
+      if (found.roads[other] != CaseRoad::in_full) size = std::max(size, std::fabs(found.columns[column][other]));
+    return size;
+  };
   std::size_t at = 0;
   for (const std::size_t parts : sizes_) {
-    double off = 0, size = 0, usual = 0;
+    double off = 0, size = 0;
+    const std::size_t first = at;
     for (const std::size_t end = at + parts; at < end; ++at) {
       off = std::max(off, std::fabs(found.columns[at][row] - numbers[at]));
       size = std::max(size, std::fabs(numbers[at]));
-      usual = std::max(usual, sizes[at]);
     }
+    if (off <= same_answer * size) continue;
+    double usual = 0;
+    for (std::size_t k = first; k < at; ++k) usual = std::max(usual, largest(k));
     if (!(off <= same_answer * size + cancelled * usual)) return false;
   }
   return true;
@@ -276,25 +309,37 @@ bool CompiledCases::no_letters_left() const {
   });
 }
 
-AllSettings CompiledCases::settings_at(const Columns& data, std::size_t row) const {
+Settings CompiledCases::settings_in(const Columns& data, std::size_t row) const {
   Settings settings = settings_;
   for (std::size_t k = 0; k < data_.size(); ++k)
     settings[data_[k].name] = Value<double>::of_number(data[k][row], data_[k].dimension);
-  return AllSettings(statement_.situations.size(), settings);
+  return settings;
+}
+
+AllSettings CompiledCases::settings_at(const Columns& data, std::size_t row) const {
+  return AllSettings(statement_.situations.size(), settings_in(data, row));
 }
 
 template <class Program>
 void CompiledCases::go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found) {
-  std::vector<const double*> inputs;
-  for (const std::span<const double>& column : data) inputs.push_back(column.data());
-  std::vector<double*> outputs;
-  for (std::vector<double>& column : found.columns) outputs.push_back(column.data());
-  const std::vector<char> valid = program.evaluate(inputs, found.roads.size(), outputs);
-  for (std::size_t row = 0; row < valid.size(); ++row)
-    if (valid[row])
-      found.roads[row] = road;
-    else
-      for (std::vector<double>& column : found.columns) column[row] = missing;
+  const std::size_t rows = found.roads.size();
+  for (std::size_t first = 0; first < rows; first += cases_at_once) {
+    check_budget();
+    const std::size_t count = std::min(cases_at_once, rows - first);
+    std::vector<const double*> inputs;
+    for (const std::span<const double>& column : data) inputs.push_back(column.data() + first);
+    std::vector<double*> outputs;
+    for (std::vector<double>& column : found.columns) {
+      column.resize(first + count);
+      outputs.push_back(column.data() + first);
+    }
+    const std::vector<char> valid = program.evaluate(inputs, count, outputs);
+    for (std::size_t row = 0; row < count; ++row)
+      if (valid[row])
+        found.roads[first + row] = road;
+      else
+        for (double* const column : outputs) column[row] = missing;
+  }
 }
 
 void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) const {
@@ -310,17 +355,13 @@ void CompiledCases::go_by_instants(const Columns& data, SolvedCases& found) cons
 }
 
 void CompiledCases::check(const Columns& data, std::uint64_t first, SolvedCases& found) const {
-  std::vector<double> sizes(columns_.size(), 0);
-  for (std::size_t k = 0; k < sizes.size(); ++k)
-    for (std::size_t row = 0; row < found.roads.size(); ++row)
-      if (found.roads[row] != CaseRoad::in_full) sizes[k] = std::max(sizes[k], std::fabs(found.columns[k][row]));
   // What is confirmed quickly once is most often so in all rows, and what is not in none.
   bool quickly = all_have_values_ && may_be_confirmed(statement_);
   const std::size_t to_first = (cases_to_a_check - first % cases_to_a_check) % cases_to_a_check;
   for (std::size_t row = to_first; row < found.roads.size(); row += cases_to_a_check) {
     if (found.roads[row] == CaseRoad::in_full) continue;
     ++found.checked;
-    if (is_refuted(data, row, found, sizes, quickly)) ++found.refuted;
+    if (is_refuted(data, row, found, quickly)) ++found.refuted;
   }
   if (found.refuted == 0) return;
   std::ranges::fill(found.roads, CaseRoad::in_full);
@@ -340,10 +381,14 @@ void CompiledCases::solve_the_rest(const Columns& data, SolvedCases& found) cons
 SolvedCases CompiledCases::solved(const Columns& data, std::uint64_t first) const {
   const std::size_t rows = data.empty() ? 1 : data.front().size();
   SolvedCases found;
-  found.columns.assign(columns_.size(), std::vector<double>(rows, missing));
+  found.columns.resize(columns_.size());
+  for (std::vector<double>& column : found.columns) column.reserve(rows);
   found.roads.assign(rows, CaseRoad::in_full);
-  if (formulas_) go_by(*formulas_, CaseRoad::by_formula, data, found);
-  if (program_) go_by(*program_, CaseRoad::by_instant, data, found);
+  if (formulas_)
+    go_by(*formulas_, CaseRoad::by_formula, data, found);
+  else if (program_)
+    go_by(*program_, CaseRoad::by_instant, data, found);
+  for (std::vector<double>& column : found.columns) column.resize(rows, missing);
   if (by_instants_) go_by_instants(data, found);
   check(data, first, found);
   solve_the_rest(data, found);

@@ -95,18 +95,17 @@ class CompiledCases {
   // Compares every thousandth case with a full solution.
   void check(const Columns& data, std::uint64_t first, SolvedCases& found) const;
   // quickly: whether the cheaper of two ways is tried first; and whether it was enough.
-  bool is_refuted(const Columns& data, std::size_t row, const SolvedCases& found, const std::vector<double>& sizes,
-                  bool& quickly) const;
-  // Whether numbers found on another road are those of a case. sizes: the largest of each column.
-  bool agree(const std::vector<double>& numbers, std::size_t row, const SolvedCases& found,
-             const std::vector<double>& sizes) const;
+  bool is_refuted(const Columns& data, std::size_t row, const SolvedCases& found, bool& quickly) const;
+  // Whether numbers found on another road are those of a case.
+  bool agree(const std::vector<double>& numbers, std::size_t row, const SolvedCases& found) const;
   void find_places(const std::vector<std::string>& sensitivities);
   void find_formulas();
   void make_program();
   void take_shape(const Solution& solution);
   [[noreturn]] void refuse_shapeless(const Solution& first) const;
   bool no_letters_left() const;
-  AllSettings settings_at(const Columns& data, std::size_t row) const;
+  Settings settings_in(const Columns& data, std::size_t row) const;
+  AllSettings settings_at(const Columns& data, std::size_t row) const;  // for each situation
 
   Statement statement_;
   std::vector<std::pair<std::string, std::string>> sets_;

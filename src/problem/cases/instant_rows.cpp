@@ -119,7 +119,9 @@ std::optional<std::vector<double>> confirmed_numbers(const Statement& statement,
                        .direction = OpenChoice::every};
   try {
     AllSettings found(statement.situations.size(), settings);
-    if (UnknownSearch search(statement, settings); !search.unknowns().empty()) {
+    const auto finds = [](const Situation& situation) { return !situation.find.empty(); };
+    if (std::ranges::any_of(statement.situations, finds)) {
+      UnknownSearch search(statement, settings);
       RootsFound roots = search.find(settings, all);
       if (roots.roots.size() != 1 || !roots.open.empty()) return std::nullopt;
       found = std::move(roots.roots.front());

@@ -13,16 +13,11 @@
 
 namespace poinsot::problem {
 
-namespace {
-
-// Whether contacts with friction are in the states in which the situation has them, whose claims are decided.
 bool is_in_its_states(const Situation& situation, const Settings& settings, SolvedInstant& instant) {
   if (!situation.has_friction()) return true;
   instant.solve_forces();
   return instant.one_sided_faults().empty() && leaves_limits(situation, settings);
 }
-
-}  // namespace
 
 ClaimGround::ClaimGround(const Situation& situation, const Settings& settings, const FormulaValues& exact,
                          const FormulaValues& unknowns)

@@ -15,6 +15,9 @@
 
 namespace poinsot::problem {
 
+// Whether contacts with friction are in the states in which the situation has them, whose claims are decided.
+bool is_in_its_states(const Situation& situation, const Settings& settings, SolvedInstant& instant);
+
 // What the bodies as particles say of a point: that its numbers are right, that they are wrong, or neither, where
 // letters are so far apart that rounding hides it.
 enum class Confirmation { confirmed, open, contradicted };

@@ -82,7 +82,7 @@ class NumberTrier {
         judge_numbers(assumed, situation_, start, nullptr, expression, std::nullopt);
       for (const Expression& expression : claim_.assume)
         judge_numbers(assumed, situation_, start, nullptr, expression, claim_.axes);
-      return assumed.holds && !assumed.close;
+      return assumed.holds && !assumed.close && is_in_its_states(situation_, settings, start);
     } catch (const StatementError&) {
       return false;
     }
@@ -158,7 +158,7 @@ class NumberTrier {
       found_.most_modes = std::max(found_.most_modes, modes_);
   }
 
-  // Nothing where an assumption fails or only just holds.
+  // Nothing where an assumption fails or only just holds, or contacts with friction are in other states.
   std::optional<Verdict> verdict_at(const Point& point, int attempt) {
     modes_ = 0;
     const Settings settings = ground_.with_letters(point);
@@ -182,7 +182,7 @@ class NumberTrier {
     for (const Expression& expression : situation_.assume) judge(assumed, expression, std::nullopt);
     for (const Expression& expression : claim_.assume) judge(assumed, expression, claim_.axes);
     understood_ = true;
-    if (!assumed.holds || assumed.close) return std::nullopt;
+    if (!assumed.holds || assumed.close || !is_in_its_states(situation_, settings, start)) return std::nullopt;
     Verdict verdict;
     for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
     if ((!verdict.holds || attempt == 0) && !(start.misfit_of_told().misfit < told_wrongly)) return std::nullopt;

@@ -41,8 +41,6 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     throw UnansweredError(situation.file, sought->effort->mark(),
                           "what drives the bodies is to be found at an instant, and is not known along the motion",
                           "state it in place of any");
-  if (!situation.only_start.empty())
-    throw UnansweredError(situation.file, mark_of(0), situation.only_start, "give the letters values by --set");
   for (const Gear& gear : situation.gears)
     if (gear.friction)
       throw UnansweredError(situation.file, gear.friction->mark(),
@@ -87,6 +85,15 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     if (state.acting.empty()) state.acting.assign(actions.size(), true);
     for (std::size_t i = 0; i < actions.size(); ++i)
       if (actions[i].kind == ActionKind::contact && actions[i].name == contact.name) state.acting[i] = false;
+  }
+  // A cord that is slack at the start exerts nothing there.
+  const Mechanism<double>& at_start = start_->machine().mechanism;
+  for (std::size_t i = 0; i < at_start.actions.size(); ++i) {
+    const auto pulls = [&](const Component<double>& c) { return c.action == static_cast<int>(i); };
+    if (at_start.actions[i].kind != ActionKind::cord || std::ranges::any_of(at_start.components, pulls)) continue;
+    if (state.acting.empty()) state.acting.assign(at_start.actions.size(), true);
+    state.acting[i] = false;
+    has_later_contacts_ = true;
   }
   if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
   if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
@@ -326,7 +333,10 @@ MotionCheckpoint Course::checkpoint() const {
   std::size_t stage = stages_.size() - 1;
   while (stage > 0 && !stages_[stage].begun) --stage;
   const StageRun& now = stages_[stage];
-  return {{now.time, stage, now.q, now.v, now.acting.empty() ? std::vector<bool>() : now.acting.back()}, now.start};
+  return {{now.time, stage, now.q, now.v, now.acting.empty() ? std::vector<bool>() : now.acting.back()},
+          now.start,
+          struck_,
+          now.flight};
 }
 
 void Course::continue_from(const MotionCheckpoint& checkpoint) {
@@ -345,14 +355,22 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   begin(state.stage);
   now.time = state.time;
   energy_drift_.reset();
+  blow_misfit_.reset();
+  rough_blow_misfit_.reset();
+  rests_from_.reset();
   largest_kinetic_ = 0;
   blows_.clear();
+  settled_.clear();
+  struck_ = checkpoint.struck;
+  // What was open at the start may touch by now.
+  open_checked_ = state.time > 0;
   // A new probe is made, as the old one keeps rounding from earlier places of the contacts.
   probes_.clear();
   in_states_.resize(1);
   changed_states_.clear();
   now.states_now = 0;
   if (!state.acting.empty()) put_in_flight(now, state.acting);
+  now.flight = checkpoint.flight;
   if (rubs(now)) find_contact_states(state.stage, state.time, "");
   probe_ = &probe_in(now.states_now, state);
   happenings_.clear();

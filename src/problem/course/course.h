@@ -25,10 +25,18 @@ namespace poinsot::problem {
 
 struct ContactState;
 
+// What the blows of a contact so far have to do with those that follow.
+struct BlowsOfAction {
+  double fastest = 0;  // the largest speed of approach, m/s
+  int told = 0;        // in notes
+};
+
 // A state of the motion with all that its continuation depends on.
 struct MotionCheckpoint {
   MotionState state;
-  double stage_start = 0;  // s
+  double stage_start = 0;               // s
+  std::vector<BlowsOfAction> struck{};  // of each action; empty if no contact has been struck
+  double flight = 0;                    // s, from a blow there to the next one as it began; none if zero
 };
 
 // How far the motion may be from the true one: its difference from one that is followed with a sixteen times larger
@@ -114,6 +122,7 @@ class Course : public FollowedMotion {
   // Whether the last stage has dampers and nothing that drives it.
   bool dissipates() const override;
   bool has_springs() const override;
+  bool rests_at(double time) const override { return rests_from_ && time >= *rests_from_ && time <= reached(); }
   double repeats_to(double range) const override;
 
   // Velocities that are open at the start and move no mass, so that they are taken as zero: for each open direction
@@ -289,8 +298,8 @@ class Course : public FollowedMotion {
   std::vector<Change> changes_;
   std::optional<double> energy_drift_;
   bool has_later_contacts_ = false, open_checked_ = false;
-  std::map<std::size_t, double> approaches_;  // the largest speed of approach of contacts that met, m/s
-  std::map<std::size_t, int> blows_told_;     // of each contact
+  std::optional<double> rests_from_;   // since when friction holds all that could move in the last stage, s
+  std::vector<BlowsOfAction> struck_;  // of each action of the mechanism
   struct Blow {
     double time = 0;
     std::size_t action = 0;

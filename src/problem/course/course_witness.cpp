@@ -162,6 +162,55 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
     keep(contact_doubt(middle));
     look(*probe_);
   }
+  // Where velocities jump, something that did not act before touches or is stretched, by the geometry of the bodies.
+  const auto catch_doubt = [&] {
+    constexpr double jumps = 1e-6;          // of the natural speed: a blow below it moves nothing that is seen
+    constexpr std::size_t most_blows = 40;  // blows that are looked at, the first ones
+    MotionDoubt farthest;
+    std::size_t looked = 0;
+    const double length = start_->natural_size(dimensions::length);
+    for (const StageRun& stage : stages_)
+      for (std::size_t i = 0; i + 1 < stage.pieces.size() && looked < most_blows; ++i) {
+        const Trajectory& before = stage.pieces[i];
+        const auto after = std::find_if(stage.pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1, stage.pieces.end(),
+                                        [](const Trajectory& piece) { return !piece.empty(); });
+        if (before.empty() || after == stage.pieces.end() || stage.acting[i].empty()) continue;
+        const double time = after->start_time();
+        const State<double> here = before.state(before.end_time()), then = after->state(time);
+        double jump = 0;
+        for (std::size_t k = 0; k < here.v.size(); ++k)
+          jump = std::max(jump, std::abs(then.v[k] - here.v[k]) * pace_time_ / sizes.of_v[k]);
+        if (!(jump > jumps) || !(length > 0)) continue;
+        ++looked;
+        if (has_later_contacts_ && !whole_machine_) {
+          move_probe(at(time));
+          whole_machine_ = probe_->machine_at(time, std::nullopt);
+        }
+        const Machine& machine = whole_machine_ ? *whole_machine_ : start_->machine();
+        double nearest = INFINITY;
+        for (const VelocityConstraint<double>& c : machine.mechanism.constraints)
+          if (c.action >= 0 && (c.normal || is_cord_length(c)) && !stage.acting[i][static_cast<std::size_t>(c.action)])
+            nearest = std::min(
+                nearest,
+                std::abs(solve::gap_of(machine.links, machine.mechanism.constraints, c.action, here.q)) / length);
+        if (std::isfinite(nearest) && nearest > farthest.value)
+          farthest = {nearest,
+                      "nothing touches or is stretched at " + with_digits(time, 6) + " s, where velocities jump"};
+      }
+    return farthest;
+  };
+  keep(catch_doubt());
+  // How long stages last is told by the file.
+  double begins = 0;
+  for (std::size_t k = 0; k < situation_.stages.size() && stages_[k].done && stages_[k].end; ++k) {
+    const double ends = *stages_[k].end;
+    if (const std::optional<Expression>& stated = situation_.stages[k].lasts) {
+      const double lasts = start_->data_number(*stated, dimensions::time);
+      const double off = std::abs(ends - begins - lasts), size = std::max(std::abs(lasts), std::abs(ends));
+      if (size > 0) keep({off / size, words_of(k) + " does not last as long as is stated"});
+    }
+    begins = ends;
+  }
   return worst;
 }
 

@@ -27,6 +27,8 @@ class FollowedMotion {
   // Whether it loses energy in its last stage and nothing drives it; whether springs can bring it back.
   virtual bool dissipates() const = 0;
   virtual bool has_springs() const = 0;
+  // Whether nothing moves any more at a time to which it has been followed, nor ever will: friction holds it all.
+  virtual bool rests_at(double /*time*/) const { return false; }
   // The part of its range to which a number returns where the motion repeats: its error along some periods. range: in
   // the natural size of such numbers.
   virtual double repeats_to(double /*range*/) const { return 1e-7; }

@@ -66,6 +66,28 @@ std::vector<std::size_t> Course::Piece::meeting(std::optional<std::size_t> at_ev
   return found;
 }
 
+std::vector<std::size_t> Course::Piece::catching_beside(std::size_t action) {
+  const Mechanism<double>& mechanism = machine_.mechanism;
+  const double length = meets * motion_.start_->natural_size(dimensions::length),
+               speed = meets * motion_.natural_speed();
+  std::vector<std::size_t> found;
+  for (std::size_t c = 0; c < mechanism.constraints.size(); ++c) {
+    const VelocityConstraint<double>& constraint = mechanism.constraints[c];
+    const bool of_cord = is_cord_length(constraint);
+    const auto other = static_cast<std::size_t>(constraint.action);
+    const auto together = [&](std::size_t one) {
+      return one == other || act_together(mechanism.actions[one], mechanism.actions[other]);
+    };
+    if (!(constraint.normal || of_cord) || acting_[other] || motion_.later_contact(other) || together(action) ||
+        std::ranges::any_of(found, together))
+      continue;
+    const double rate = dynamics_->gap_rate(c, now_.q, now_.v);
+    if (std::abs(dynamics_->gap(c, now_.q)) <= length && (of_cord ? rate > speed : rate < -speed))
+      found.push_back(other);
+  }
+  return found;
+}
+
 // What is said to be open must not overlap, nor be pressed together.
 void Course::Piece::check_open() {
   const double length = motion_.start_->natural_size(dimensions::length);
@@ -112,27 +134,38 @@ SolvedInstant::Met Course::met(std::size_t action) {
   return one;
 }
 
-// Several contacts that meet at once are struck one by one if none changes the approach of the others.
+// Several contacts that meet at once are struck one by one if none changes the approach of the others. Else their
+// blows are taken together, each with its restitution: Newton's law for all of them, which has one motion after it as
+// far as it has any (a bar that lands flat on two supports leaves them as it came). With friction none is known.
 std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
                                                  Piece& piece, const std::vector<bool>& besides) {
   if (meeting.size() < 2) return meeting;
   probe_->strike_later({met(meeting.front())}, besides, piece.acting(), later_contact(meeting.front())->mark);
   const std::vector<double> after = probe_->state().v;
-  bool apart = true, plastic = true;
+  bool apart = true, plastic = true, smooth = true;
   for (std::size_t k = 0; k < meeting.size(); ++k) {
     const SolvedInstant::Met one = met(meeting[k]);
-    plastic = plastic && one.restitution == 0 && !one.friction;
+    plastic = plastic && one.restitution == 0;
+    smooth = smooth && !one.friction;
     const double before = piece.gap_rate(meeting[k], state.v);
     constexpr double same = 1e-9;
     if (k > 0) apart = apart && std::abs(piece.gap_rate(meeting[k], after) - before) <= same * std::abs(before);
   }
   probe_->move_to(state);
   if (apart) return {meeting.front()};
-  if (!plastic)
+  if (!smooth)
     stops(state.stage, later_contact(meeting.front())->mark,
           "the contacts '" + later_contact(meeting[0])->name + "' and '" + later_contact(meeting[1])->name +
               "' are struck at the same time, at " + with_digits(state.time, 6) +
-              " s: which is struck first, on which the motion depends, is open");
+              " s, with friction: which is struck first, on which the motion depends, is open: state a gap between "
+              "them, by their points or surface:, so that one is first");
+  if (!plastic) {
+    const std::string told =
+        "contacts that are struck at the same time and whose blows change each other's have them together, each with "
+        "its "
+        "restitution; with a gap between them, however small, one would follow the other";
+    if (std::ranges::find(happenings_, told) == happenings_.end()) happenings_.push_back(told);
+  }
   return meeting;
 }
 
@@ -172,8 +205,9 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
     const double stated = contact.restitution ? start_->data_number(*contact.restitution, dimensions::none) : 0;
     if (!one.friction && before < 0)
       blow_misfit_ = std::max(*blow_misfit_, std::abs(leaves + stated * before) / -before);
-    double& first = approaches_[one.action];
-    first = std::max(first, -before);
+    struck_.resize(acting.size());
+    BlowsOfAction& blows = struck_[one.action];
+    blows.fastest = std::max(blows.fastest, -before);
     speed = std::max(speed, -before);
     settled_.erase(contact.name);
     std::string change = "the contact '" + contact.name + "' is struck";
@@ -187,7 +221,7 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
       // itself, as a pendulum to a stop at its lowest place, flies as long each time: that never ends, and is followed
       // until nothing is to be seen of it.
       const bool ends = flight <= short_flight * pace_time_;
-      if (leaves <= (ends ? small_speed : no_speed) * first && ratio < 1 && one.restitution < 1) {
+      if (leaves <= (ends ? small_speed : no_speed) * blows.fastest && ratio < 1 && one.restitution < 1) {
         const double end = ends ? now.time + flight / (1 - ratio) : std::numeric_limits<double>::infinity();
         settled_[contact.name] = end;
         change = "the contact '" + contact.name +
@@ -201,7 +235,7 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
     blows_.push_back({now.time, one.action});
     // Of many blows the first ones are told, and the end.
     constexpr int most_told = 3;
-    const bool told = !settled_.contains(contact.name) && ++blows_told_[one.action] <= most_told;
+    const bool told = !settled_.contains(contact.name) && ++blows.told <= most_told;
     if (told)
       happenings_.push_back(change + when +
                             (lost > 0 && &one == &all.front() ? ", which takes " + with_digits(lost, 4) + " J" : ""));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 
@@ -19,6 +20,7 @@ constexpr std::size_t samples_of_wait = 60'000;  // until something must happen 
 // In the times that the motion takes to change noticeably: a disturbance takes this long to grow. It grows by 1e7 from
 // a nudge in some 16 of its own times, and those are slower than the motion itself by no more than thirty times.
 constexpr double long_enough = 500;
+constexpr Work most_work_of_extreme = 1'000'000'000;  // in a motion without end that loses nothing
 
 }  // namespace
 
@@ -145,6 +147,7 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
   if (end && number_.count_of_samples(0, *end) <= NumberAlongMotion::most_samples)
     return outermost(number_.samples(0, *end), largest);
   bool constant = false;
+  const WorkLimit work(most_work_of_extreme);
   for (double until = 4 * motion_.pace_time();
        (constant || !motion_.followed_enough(until / 2)) && !(end && until > *end); until *= 2) {
     const NumberSamples sampled = number_.samples(0, until);
@@ -162,14 +165,22 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     const std::optional<ExtremeFound> wanted = met_twice(sampled, largest, *high - *low);
     if (wanted && met_twice(sampled, !largest, *high - *low)) return *wanted;
     if (until <= long_enough * motion_.pace_time()) continue;
+    if (motion_.rests_at(until)) return outermost(sampled, largest);
     if (goes_away(sampled, largest))
       number_.unanswered(std::string(" goes on ") + (largest ? "growing" : "falling") +
                              " in an endless motion: it has no " + (largest ? "largest" : "smallest") + " value",
                          ending);
     ExtremeFound best = outermost(sampled, largest);
-    if (!has_settled(sampled, largest, best) && !(goes_away(sampled, !largest) && best.time < until / 8)) continue;
-    best.settled = until;
-    return best;
+    if (has_settled(sampled, largest, best) || (goes_away(sampled, !largest) && best.time < until / 8)) {
+      best.settled = until;
+      return best;
+    }
+    // What loses nothing repeats soon or hardly ever: what follows the time has to come back together with its load.
+    if (work.spent() && !motion_.dissipates())
+      number_.unanswered(" does not come back to the same extremes up to " + with_digits(until, 4) +
+                             " s, so that of an endless motion it has no " + (largest ? "largest" : "smallest") +
+                             " value that could be told",
+                         ending);
   }
   number_.unanswered(std::string(" does not come back to the same extremes, so that of ") +
                          (end ? "so long a" : "an endless") + " motion it has no " +
@@ -183,7 +194,8 @@ ExtremeFound MotionFeatures::smallest() const { return note(extreme(false)); }
 double MotionFeatures::period() const {
   const ExtremeFound highest = largest(), lowest = smallest();
   const double high = highest.value, low = lowest.value;
-  if (highest.settled > 0 || lowest.settled > 0) number_.unanswered(" does not repeat: it has no period");
+  if (highest.settled > 0 || lowest.settled > 0 || motion_.rests_at(motion_.reached()))
+    number_.unanswered(" does not repeat: it has no period");
   if (!(high > low)) number_.unanswered(" does not change: it has no period");
   const double level = 0.5 * (high + low), repeats_to = repeated(high - low);
   const std::optional<double> end = motion_.end();

@@ -132,12 +132,18 @@ void Course::Piece::set_up_equations() {
                                      std::span<double> rate) { position_rate<double>(tree, q, v, rate); };
   equations_.accelerations = [this](double time, std::span<const double> q, std::span<const double> v,
                                     std::span<double> a) {
+    if (still_) {
+      std::ranges::fill(a, 0.0);
+      return;
+    }
     refresh(time);
     accelerate(q, v, a);
     for (const MasslessSpin& spin : spins_) take_out(spin, a);
   };
   if (!machine_.mechanism.constraints.empty())
-    equations_.project = [this](double, std::span<double> q, std::span<double> v) { dynamics_->hold(q, v); };
+    equations_.project = [this](double, std::span<double> q, std::span<double> v) {
+      if (!still_) dynamics_->hold(q, v);
+    };
   const double length = motion_.start_->natural_size(dimensions::length);
   for (const auto& body : tree.bodies()) {
     const int size = position_size(body.joint);
@@ -199,6 +205,22 @@ Event Course::Piece::slack(std::size_t component) {
     refresh(time);
     accelerate(q, v, acceleration_);
     return dynamics_->component_force(component);
+  };
+  accelerate(now_.q, now_.v, acceleration_);
+  if (dynamics_->component_determined(component)) return event;
+  // Of contacts that share a load the equations give one share, in which some carry nothing but rounding, and some may
+  // pull though there are shares without. One is lost where it pulls and there is no such share, as at an instant.
+  constexpr double rounding = 1e-13, nothing = 1e-9;  // of the size
+  event.value = [this, component, in_one_share = event.value, size = event.size](double time, std::span<const double> q,
+                                                                                 std::span<const double> v) {
+    const double own = in_one_share(time, q, v);
+    if (own >= -rounding * size) return own + rounding * size;
+    SolvedInstant& probe = *motion_.probes_[now_.states_now];
+    probe.move_to({inside(time), stage_, {q.begin(), q.end()}, {v.begin(), v.end()}, acting_});
+    probe.solve_forces();
+    const double shared =
+        probe.motion().value[solve::force_unknowns(probe.machine().mechanism).accelerations + component];
+    return shared > nothing * size ? shared : own + rounding * size;
   };
   return event;
 }
@@ -445,6 +467,7 @@ IntegrationResult Course::Piece::follow(double end, Work most) {
     fine.largest_step = now_.flight > 0 ? std::min(motion_.pace_time_, now_.flight / 4) : motion_.pace_time_;
     if (auto by_itself = lone_->follow(equations_, now_.time, now_.q, now_.v, end, fine, events_)) return *by_itself;
   }
+  if (still_) std::ranges::fill(now_.v, 0.0);
   return integrate(equations_, now_.time, now_.q, now_.v, end, options, events_);
 }
 

@@ -55,11 +55,19 @@ class Course::Piece {
     return found == event_cord_.end() ? std::nullopt : std::optional(found->second);
   }
   // Adds the events at which contacts with friction cease to slide or come to the limit of what they hold at rest.
-  void add_friction();
+  // Returns whether there are none as friction holds all that could move.
+  bool add_friction();
+  bool stays_at_rest();
   // Whether a contact with friction ceases to slide or comes to its limit at an event; if it comes to that, all
   // contacts that do then, with the directions in which they begin to slide.
   bool is_of_friction(std::size_t event) const { return event_contact_.contains(event); }
   std::vector<ContactState> at_their_limits(std::size_t event);
+  // The event of a contact that is at its limit where the piece begins and goes beyond it on the way; nothing if none
+  // is.
+  std::optional<std::size_t> beyond_limit_from_start(const Trajectory& way);
+  // The cord or contact that is just about to give way or to catch where the piece begins, and would have to on the way;
+  // nothing if there is none.
+  std::optional<std::size_t> changes_from_start(const Trajectory& way);
   // Whether a slip vanishes where the piece begins: the motion was followed so far before, and no further.
   bool slip_has_ended();
   // The contacts that slide otherwise than along the line that was taken for them on the way.
@@ -82,6 +90,8 @@ class Course::Piece {
   // start is none.
   std::vector<std::size_t> meeting(std::optional<std::size_t> at_event);
   double gap_rate(std::size_t action, std::span<const double> v);
+  // The contacts and cords that would catch where another one does, one action for each.
+  std::vector<std::size_t> catching_beside(std::size_t action);
   double opening(std::size_t action, std::span<const double> v);
   double kinetic_energy(std::span<const double> v);
   void check_open();
@@ -111,7 +121,6 @@ class Course::Piece {
   Vector3<double> slip(const RoughContactOf<double>& contact, std::span<const double> q, std::span<const double> v);
   std::size_t push_of(const RoughContactOf<double>& contact) const;
   void accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a);
-  bool stays_at_rest();
   bool moves_anything(const VelocityConstraint<double>& way);
   std::optional<Event> taut(const Component<double>& component);
   // Friction in joints that follows from what they carry (piece_joints.cpp).
@@ -144,6 +153,7 @@ class Course::Piece {
   std::vector<bool> acting_;
   std::optional<MechanismDynamics> dynamics_;
   std::vector<MasslessSpin> spins_;
+  bool still_ = false;  // whether all that moves is rounding, of what friction holds
   std::optional<LoneBody> lone_;
   MotionEquations equations_;
   std::vector<Event> events_;

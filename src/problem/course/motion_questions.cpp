@@ -42,9 +42,57 @@ class SidesApart {
         if (at(ends[i] + (ends[i + 1] - ends[i]) * k / per_step)) return false;
     return true;
   }
+  // When they come apart that are equal at first, and which becomes the larger: 1 the left one, -1 the right one. ends:
+  // of the steps from where they are equal on; begun: where what is smooth begins. There they come apart as a power of
+  // the time since, and elsewhere at a corner. Nothing where that is not seen.
+  struct Parting {
+    double time = 0;
+    int larger = 0;
+  };
+  std::optional<Parting> parting(const std::vector<double>& ends, const std::vector<double>& begun) const {
+    constexpr int looks = 6;
+    double equal = ends.front();
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      for (int k = 1; k <= looks; ++k) {
+        const double look = ends[i] + (ends[i + 1] - ends[i]) * k / looks;
+        if (!at(look)) {
+          equal = look;
+          continue;
+        }
+        double piece = ends.front();
+        for (const double start : begun)
+          if (start <= look - (look - equal) / 2) piece = std::max(piece, start);
+        const double last = ends.back();
+        if (const auto parting = grows_from(piece, look, last, 0, 40)) return parting;
+        double inside = equal, outside = look;
+        while (outside - inside > 1e-15 * outside && inside + (outside - inside) / 2 < outside &&
+               inside + (outside - inside) / 2 > inside)
+          (at(inside + (outside - inside) / 2) ? outside : inside) = inside + (outside - inside) / 2;
+        return grows_from(outside, look, last, 0.95, 1.05);
+      }
+    return std::nullopt;
+  }
 
  private:
   double difference(double time) const { return std::abs(left_(time) - right_(time)); }
+  // Whether the difference grows from here as one power of the time since, as it does at three doublings.
+  std::optional<Parting> grows_from(double from, double look, double last, double least, double most) const {
+    constexpr double clear = 1e5, alike = 0.05;  // times rounding; of powers
+    const auto is_clear = [&](double span) { return difference(from + span) >= clear * rounding(from + span); };
+    constexpr double shortest = 1e-8;  // of the time: shorter spans are rounding themselves
+    constexpr int most_halvings = 5;   // a small part of a step, in which the interpolant still has the power
+    double span = look - from;
+    for (int i = 0; i < most_halvings && span / 2 > shortest * std::abs(from) && is_clear(span / 2); ++i) span /= 2;
+    while (!is_clear(span) && from + 4 * span < last) span *= 1.25;
+    if (!(span > 0) || from + 4 * span > last) return std::nullopt;
+    const double one = left_(from + span) - right_(from + span), two = left_(from + 2 * span) - right_(from + 2 * span),
+                 four = left_(from + 4 * span) - right_(from + 4 * span);
+    if (!(one * two > 0 && two * four > 0)) return std::nullopt;
+    const double power = std::log2(two / one), later = std::log2(four / two);
+    if (!(power > 0.5 && power > least && power < most && std::abs(later - power) <= alike * power))
+      return std::nullopt;
+    return Parting{from, one > 0 ? 1 : -1};
+  }
   double rounding(double time) const {
     // What a motion conserves drifts by 1e-12 in a thousand steps; of zero there is the rounding of its terms.
     constexpr double of_sides = 1e-11, of_natural = 1e-15;
@@ -318,13 +366,34 @@ std::vector<double> Course::times(const Expression& condition, const std::option
       until = std::min(from + 2 * (until - from), end().value_or(INFINITY));
     } while (stay_equal(begin, until, false));
   }
-  std::vector<double> found = features.zeros(begin, to, sense);
+  // What rests at first and then moves comes to hold as it begins to.
+  std::optional<double> parts;
+  if ((relation == Relation::less || relation == Relation::greater) && !to && until > from && !apart.at(from)) {
+    std::vector<double> begun;
+    for (const StageRun& stage : stages_)
+      for (const Trajectory& piece : stage.pieces)
+        if (!piece.empty()) begun.push_back(piece.start_time());
+    if (const auto parting = apart.parting(nodes(from, until), begun); parting && parting->larger == sense)
+      parts = parting->time;
+  }
+  std::vector<double> found = parts ? std::vector{*parts} : features.zeros(begin, to, sense);
   values_until_ = std::max(values_until_, features.latest());
   tell({to_string(condition),
         [left = number_at_instants(comparison->operands[0], axes),
          right = number_at_instants(comparison->operands[1], axes)](double time) { return left(time) - right(time); },
         from, to ? *to : found.front(),
         [found, sense](const MotionScan& scan) { return scan.of_zeros(found, sense); }});
+  // What holds from the start on has no sign that changes there.
+  if (sense != 0 && !to && found.front() == from)
+    tell({to_string(condition) + " from the start",
+          [left = number_at_instants(comparison->operands[0], axes),
+           right = number_at_instants(comparison->operands[1], axes), from, sense](double) {
+            constexpr double rounding = 1e-9;
+            const double a = left(from), b = right(from), size = std::max(std::abs(a), std::abs(b));
+            const double off = sense * (b - a);
+            return off > rounding * size ? off / size : 0;
+          },
+          from, from, [](const MotionScan& scan) { return scan.of_zero(); }});
   return found;
 }
 

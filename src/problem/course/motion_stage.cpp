@@ -1,6 +1,8 @@
 // Follows a stage of a motion piece by piece.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -90,6 +92,7 @@ void Course::run(std::size_t stage, double until) {
     std::vector<std::string> contacts;
   };
   std::optional<Turning> turning_from;
+  std::optional<double> gave_way_at;  // at the start of a piece
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
@@ -125,10 +128,36 @@ void Course::run(std::size_t stage, double until) {
     if (released || !meeting.empty()) continue;
     if (const ContactLimit* limit = piece.beyond_surface()) comes_to_end(stage, *limit);
     piece.check_sides(nullptr);
-    piece.add_friction();
-    const double until_then = std::min(smooth.end, now.end.value_or(target));
-    IntegrationResult result =
-        piece.follow(turning_from ? std::min(until_then, turning_from->time) : until_then, work.left());
+    if (!piece.add_friction() || stage + 1 < stages_.size())
+      rests_from_.reset();
+    else if (!rests_from_)
+      rests_from_ = now.time;
+    double until_then = std::min(smooth.end, now.end.value_or(target));
+    if (turning_from) until_then = std::min(until_then, turning_from->time);
+    // Where something happened just before, what is left may be less than a step can be.
+    constexpr double no_step = 64 * std::numeric_limits<double>::epsilon();
+    if (!turning_from && std::isfinite(until_then) && until_then - now.time <= no_step * std::abs(until_then)) {
+      now.time = until_then;
+      if (now.end && now.time >= *now.end)
+        now.done = true;
+      else if (ending && now.time >= target && until > target && !followed_enough(target))
+        target = std::min(until, now.time + (span *= 2));
+      continue;
+    }
+    IntegrationResult result = piece.follow(until_then, work.left());
+    // What is let go at once with another, as two feet of a table that tips, carries nothing where the piece begins.
+    if (const std::optional<std::size_t> action = piece.changes_from_start(result.trajectory)) {
+      change_holds(stage, *action, piece);
+      continue;
+    }
+    // A piece may end just where a contact comes to its limit, and so may the loads before a stage.
+    if (rubs(now) && gave_way_at != now.time)
+      if (const std::optional<std::size_t> event = piece.beyond_limit_from_start(result.trajectory))
+        if (const std::vector<ContactState> starting = piece.at_their_limits(*event); !starting.empty()) {
+          gave_way_at = now.time;
+          let_slide(stage, starting);
+          continue;
+        }
     if (const std::vector<std::string> turning =
             turning_from ? std::vector<std::string>() : piece.off_their_lines(result.trajectory);
         !turning.empty()) {
@@ -296,23 +325,47 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   const MotionState state{now.time, stage, now.q, now.v, std::vector<bool>(acting.size(), true)};
   probe_ = acting[action] ? &probe_in(now.states_now, state) : &probe_for_blow(now, state);
   probe_->move_to(state);
-  const Action& named = probe_->machine().mechanism.actions[action];
-  const bool cord = named.kind == ActionKind::cord;
   const std::string time = " at " + with_digits(now.time, 6) + " s";
   refuse_slack(stage, action, piece);
   const bool acts = !acting[action];
   const std::vector<Action>& actions = probe_->machine().mechanism.actions;
-  for (std::size_t i = 0; i < actions.size(); ++i)
-    if (i == action || act_together(actions[i], named)) acting[i] = acts;
-  const std::string change =
-      acting[action] ? (cord ? "goes taut" : "touches again") : (cord ? "goes slack" : "is lost");
-  changes_.push_back({now.time, (cord ? "the cord '" : "the contact '") + named.name + "' " + change});
-  happenings_.push_back(changes_.back().words + time + (acting[action] ? ", without rebound" : ""));
+  // What catches at once, as two feet of a table, takes part in one blow: one after the other would turn it.
+  std::vector<std::size_t> changing{action};
+  if (acts) std::ranges::copy(piece.catching_beside(action), std::back_inserter(changing));
+  for (const std::size_t one : changing) {
+    const Action& other = actions[one];
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      if (i == one || act_together(actions[i], other)) acting[i] = acts;
+    const bool of_cord = other.kind == ActionKind::cord;
+    const std::string change = acts ? (of_cord ? "goes taut" : "touches again") : (of_cord ? "goes slack" : "is lost");
+    changes_.push_back({now.time, (of_cord ? "the cord '" : "the contact '") + other.name + "' " + change});
+    happenings_.push_back(changes_.back().words + time + (acts ? ", without rebound" : ""));
+  }
   if (!acts) return put_in_flight(now, acting);
+  // What else pulls or pushes takes part, or gives way: a rope that goes taut lifts what lies on the floor.
   std::vector<bool> striking = acting;
   for (const std::size_t other : beside) striking[other] = false;
-  now.v = probe_->caught(striking);
-  now.begin_piece(acting);
+  probe_->strike_later({}, striking, acting, mark_of(stage));
+  const SolvedInstant::Residuals residuals = probe_->check();
+  blow_misfit_ = std::max({blow_misfit_.value_or(0), residuals.impulse, residuals.particles.momentum});
+  now.v = probe_->state().v;
+  std::vector<bool> after = probe_->blow_acting();
+  for (const std::size_t other : beside) after[other] = true;
+  constexpr double opens = 1e-9;  // of the natural speed: what the blow leaves closed goes on pressing
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const bool of_cord = actions[i].kind == ActionKind::cord,
+               led_on = i > 0 && act_together(actions[i], actions[i - 1]);
+    if (!acting[i] || after[i] || led_on) continue;
+    if (actions[i].kind == ActionKind::contact && !(piece.gap_rate(i, now.v) > opens * natural_speed())) {
+      after[i] = true;
+      continue;
+    }
+    changes_.push_back({now.time, (of_cord ? "the cord '" : "the contact '") + actions[i].name +
+                                      (of_cord ? "' goes slack" : "' is lost")});
+    happenings_.push_back(changes_.back().words + time);
+  }
+  acting = std::move(after);
+  put_in_flight(now, acting);
   leave_blow(stage, beside, natural_speed(), piece);
 }
 

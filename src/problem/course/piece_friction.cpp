@@ -98,12 +98,16 @@ bool Course::Piece::stays_at_rest() {
   dynamics_->project_velocities(now_.q, v);
   accelerate(now_.q, v, a);
   const std::vector<double> sizes = motion_.natural_sizes().of_v;
-  constexpr double rounding = 1e-9;  // of the natural speed and acceleration
+  double most = 0;  // of the natural speeds and accelerations
   for (std::size_t k = 0; k < v.size(); ++k) {
-    const double rest = rounding * sizes[k] / motion_.pace_time_;
-    if (std::abs(v[k]) > rest || std::abs(a[k]) > rest / motion_.pace_time_) return false;
+    const double speed = sizes[k] / motion_.pace_time_;
+    most = std::max({most, std::abs(v[k]) / speed, std::abs(a[k]) * motion_.pace_time_ / speed});
   }
-  return true;
+  // What balanced forces leave of an acceleration. Followed, it would take what rests along in the course of hours.
+  constexpr double rounding = 1e-14;
+  still_ = most <= rounding;
+  constexpr double at_rest = 1e-9;
+  return most <= at_rest;
 }
 
 // Whether a force along a constraint moves anything. What a guide takes altogether needs no friction.
@@ -122,8 +126,9 @@ double Course::Piece::limit_in_joint(const RoughContactOf<double>& contact) {
   return contact.resting * (contact.pressing.empty() ? 1 : pressing_now(contact, acceleration_));
 }
 
-void Course::Piece::add_friction() {
-  if (machine_.rough_contacts.empty() || stays_at_rest()) return;
+bool Course::Piece::add_friction() {
+  if (machine_.rough_contacts.empty()) return false;
+  if (stays_at_rest()) return true;
   check_joint_loads();
   const double force = motion_.start_->natural_size(dimensions::force);
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
@@ -206,6 +211,57 @@ void Course::Piece::add_friction() {
     event_action_.push_back(std::nullopt);
     event_limit_.push_back(nullptr);
   }
+  return false;
+}
+
+namespace {
+
+// Whether an event's value is zero where a way begins and has passed through it after that: a search for zeros does not
+// see one from which it begins.
+bool happens_from_start(const Event& event, const Trajectory& way) {
+  constexpr double zero = 1e-9;      // of the size of the value
+  constexpr int most_halvings = 20;  // of the way, from which the value is looked at
+  const double start = way.start_time(), length = way.end_time() - start, none = zero * event.size;
+  const auto value_at = [&](double time) {
+    const State<double> there = way.state(time);
+    return event.value(time, there.q, there.v);
+  };
+  if (std::abs(value_at(start)) > none) return false;
+  for (int halvings = most_halvings; halvings > 0; --halvings)
+    if (const double value = value_at(start + std::ldexp(length, -halvings)); std::abs(value) > none)
+      return (value < 0) == (event.crossing == Crossing::falling);
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::size_t> Course::Piece::beyond_limit_from_start(const Trajectory& way) {
+  if (way.empty()) return std::nullopt;
+  const auto found = std::ranges::find_if(event_contact_, [&](const auto& item) {
+    return item.second->grip == Grip::sticks && happens_from_start(events_[item.first], way);
+  });
+  const bool any = found != event_contact_.end();
+  // The looks have left loads that follow the time at other times.
+  refresh(any ? way.start_time() : way.end_time());
+  return any ? std::optional(found->first) : std::nullopt;
+}
+
+std::optional<std::size_t> Course::Piece::changes_from_start(const Trajectory& way) {
+  if (way.empty()) return std::nullopt;
+  // What rubs or may be struck is seen by its states and blows.
+  const auto rubs = [&](std::size_t action) {
+    return std::ranges::any_of(machine_.rough_contacts,
+                               [&](const auto& contact) { return contact.action == static_cast<int>(action); });
+  };
+  for (std::size_t i = 0; i < events_.size(); ++i)
+    if (const std::optional<std::size_t> action = event_action_[i];
+        action && !rubs(*action) && (acting_[*action] || !motion_.later_contact(*action)) &&
+        happens_from_start(events_[i], way)) {
+      refresh(way.start_time());
+      return action;
+    }
+  refresh(way.end_time());
+  return std::nullopt;
 }
 
 std::vector<ContactState> Course::Piece::at_their_limits(std::size_t event) {

@@ -192,7 +192,7 @@ Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
   const Members members(entry, file, {"cord"});
   auto cord = begun<Cord>(name);
   if (members.find("holds")) {
-    for (const char* key : {"to", "end", "from", "over"})
+    for (const char* key : {"to", "end", "from", "over", "length"})
       if (members.find(key))
         fail(file, members.mark_of(key), "cord '" + name.text + "' states both holds and " + key,
              "a long cord has holds, at and pulls; a cord between two points from, at, to and end");
@@ -223,6 +223,12 @@ Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
         fail(file, over->mark, "what a cord is led over is a list, in the order of the cord", "write over: [pulley]");
       for (const Entry& one : over->items) cord.over.push_back(read_wheel(one, file, "over"));
     }
+    cord.length = members.expression("length");
+    if (cord.length && (cord.off_from || cord.on_to))
+      fail(file, members.mark_of("length"),
+           "cord '" + name.text +
+               "' winds on a wheel, so that it is of no one length: what it does slack is not followed",
+           "remove length:; it is then as long as drawn at the start");
   }
   return cord;
 }

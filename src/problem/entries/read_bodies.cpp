@@ -37,6 +37,8 @@ Shape read_shape(const std::string& kind, const Entry& entry, const std::string&
       fail(file, members.mark_of("ends"), "'" + ends + "' is neither open nor closed");
     if (ends == "closed") shape.kind = "closed_cylinder_shell";
   }
+  if (kind == "sector" && members.find("inner_radius")) shape.kind = "annular_sector";
+  if (kind == "sector" && members.find("thickness")) shape.kind = "thick_sector";
   if (kind == "mesh") {
     members.require("file", "file: wheel.stl");
     const Entry& unit = members.require("unit", "unit: mm");

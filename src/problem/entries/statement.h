@@ -167,6 +167,7 @@ struct Cord {
   std::optional<Expression> at, end, direction;
   std::vector<CordWheel> over;               // in the order of the cord
   std::optional<CordWheel> off_from, on_to;  // where it winds on a wheel of `from` or `to`, instead of at and end
+  std::optional<Expression> length;          // where it may be longer than drawn, and is slack at the start
   Mark mark;
 
   bool is_led() const { return !over.empty() || off_from || on_to; }
@@ -406,7 +407,6 @@ struct Situation {
   std::vector<Stage> stages;
   std::vector<Instant> instants;
   std::optional<Steady> steady;
-  std::string only_start{};  // why its motion is not followed; empty if it is
   // Whether there is a blow, so that velocities before and after it differ.
   bool has_friction() const { return std::ranges::any_of(contacts, &Contact::rubs); }
   // Whether it is one at a rough contact.

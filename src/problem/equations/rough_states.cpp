@@ -54,7 +54,7 @@ SituationInStates in_stated_states(const Statement& statement, const Situation& 
     try {
       for (States& states : states_that_hold(situation, number, drawn, !draws.none()).all) {
         for (ContactState& state : states)
-          if (state.slip && !state.in_joint) name_direction(state, situation, drawn);
+          if (state.slip && !state.in_joint) name_line(state, situation, drawn);
         if (std::ranges::any_of(all, [&](const States& known) { return are_same(known, states); })) continue;
         told.push_back(words_of_all(states, situation, drawn));
         all.push_back(std::move(states));

@@ -173,6 +173,10 @@ void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
     if (contact.strikes_later())
       throw NoEquations("contact '" + contact.name +
                         "' is struck later: a motion with blows is not told by one set of equations");
+  for (const Cord& cord : situation.cords)
+    if (cord.length)
+      throw NoEquations("cord '" + cord.name +
+                        "' states its length: slack and taut it has equations of its own, and between them a blow");
   for (const Gear& gear : situation.gears)
     if (gear.friction)
       throw NoEquations("gear '" + gear.name +

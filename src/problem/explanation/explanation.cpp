@@ -18,6 +18,7 @@
 #include "problem/formulas/formula_answers.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/machine/data.h"
 
 namespace poinsot::problem {
 namespace {
@@ -50,6 +51,7 @@ class Explainer {
     if (numbers) questions_ = numbers_.questions();
     explanation_.sections.push_back(principle_section(statement_, questions_));
     add_limits();
+    if (numbers) add_tables();
     if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
       explanation_.sections.push_back(std::move(claims));
     if (!numbers) return std::move(explanation_);
@@ -105,11 +107,35 @@ class Explainer {
       std::vector<std::string> conditions;
       for (const Expression& condition : ask.extremum->conditions)
         conditions.push_back("`" + to_string(condition) + "`");
+      const bool explained = std::any_of(numbers_.limits().begin(), numbers_.limits().end(),
+                                         [&](const auto& limit) { return limit.second == k; });
       std::string text = "Values of `" + ask.extremum->name + "` are tried from one end of its range until " +
                          listed(conditions) + " no longer holds; the place of the change is then closed in.";
-      if (std::any_of(numbers_.limits().begin(), numbers_.limits().end(),
-                      [&](const auto& limit) { return limit.second == k; }))
-        text += " The lines below are those of the limit.";
+      // The same limit may be asked for in several units.
+      if (std::ranges::any_of(section.steps, [&](const ExplainedStep& step) { return step.text.starts_with(text); }))
+        continue;
+      if (explained)
+        text += " The lines below are those of " + std::string(ask.extremum->largest ? "the largest" : "the smallest") +
+                " `" + ask.extremum->name + "`.";
+      section.steps.push_back({text, {}});
+    }
+    if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
+  }
+
+  // A table over a datum asks the same for several values of it.
+  void add_tables() {
+    ExplainedSection section{"Table", {}};
+    const Situation& first = statement_.situations.front();
+    const std::vector<std::string> data = settable_names(first);
+    for (const Ask& ask : statement_.asks) {
+      if (!ask.table || std::ranges::find(data, ask.table->over) == data.end()) continue;
+      const auto stated = std::ranges::find(first.given, ask.table->over, &NamedExpression::name);
+      std::string text = "The table *" + ask.name + "* asks for each of its rows what the lines below lead to";
+      text += stated == first.given.end()
+                  ? "."
+                  : " for `" + ask.table->over + " = " + to_string(stated->value) + "`, the value that is stated.";
+      if (std::ranges::any_of(first.contacts, [](const Contact& contact) { return contact.friction.has_value(); }))
+        text += " In a row in which a contact slides that sticks here its friction is the coefficient times its push.";
       section.steps.push_back({text, {}});
     }
     if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
@@ -190,6 +216,7 @@ class Explainer {
     InstantExplainer(stated, instant, before, formulas.get(), point, factors, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
         .explain(suffix, home.time || home.ending);
+    explanation_.sections.push_back(vectors_section(statement_, solution_, home, numbers_.sample(), tex, suffix));
     explanation_.sections.push_back(turned_axes_section(statement_, home, numbers_.sample(), tex, suffix));
     if (uniform_stages_.contains(home))
       explanation_.sections.push_back(
@@ -217,10 +244,13 @@ class Explainer {
   void add_motion(std::size_t index) {
     Course& motion = numbers_.sample().motion(index);
     if (!(motion.reached() > 0)) motion.follow(motion.pace_time());
-    ExplanationTex tex(situation(index), numbers_.open_letters(index));
     Situation lettered = motion.situation();
     LetterValues point;
-    const FormulaValues values = formula_values(index, lettered, point);
+    FormulaValues values = formula_values(index, lettered, point);
+    const std::vector<std::string> masses = letters_of_any_masses(lettered, values, point);
+    std::vector<std::string> open = numbers_.open_letters(index);
+    if (masses.size() > 1) open.insert(open.end(), masses.begin(), masses.end());
+    ExplanationTex tex(situation(index), open);
     const FormulaLimitScope limits({formula_terms, most_instant_work});
     std::unique_ptr<GeneralMotion> general;
     // A time at which nothing is special; stages have loads of their own.
@@ -230,9 +260,65 @@ class Explainer {
       general = GeneralMotion::of(lettered, values, numbers_.settings()[index], now, point);
     if (general)
       if (const auto letters = general->letters_at(now)) tex.set_letters(general->in_shown_units(*letters, tex));
+    bool derived = false;
     for (ExplainedSection& section :
-         motion_sections(statement_, index, numbers_.sample(), general.get(), tex, suffix_of(index)))
+         motion_sections(statement_, index, numbers_.sample(), general.get(),
+                         masses.size() == 1 ? masses.front() : std::string(), tex, suffix_of(index))) {
+      for (const ExplainedStep& step : section.steps)
+        for (const ExplainedEquation& equation : step.equations) derived = derived || shows_rate(equation.tex);
       explanation_.sections.push_back(std::move(section));
+    }
+    if (masses.size() == 1) open.push_back(masses.front());
+    if (general) add_any_time(index, *general, now, values, std::move(open), derived);
+  }
+
+  // What is asked for of a whole motion, from the equations of any of its times, in formulas of the coordinates and
+  // their rates. derived: whether what is kept has told how it moves.
+  void add_any_time(std::size_t index, GeneralMotion& general, const MotionState& now, const FormulaValues& values,
+                    std::vector<std::string> open, bool derived) {
+    const auto along = questions_.along.find(index);
+    if (along == questions_.along.end() || situation(index).has_blow()) return;
+    const std::vector<std::string> coordinates = general.named_coordinates();
+    const std::optional<LetterValues> letters = general.letters_at(now);
+    if (coordinates.empty() || !letters) return;
+    InstantQuestions asked = along->second;
+    if (!asked.asks_forces()) {
+      if (derived) return;
+      // How it moves is what the equations of motion say.
+      const Machine& machine = general.numbers().machine();
+      for (const NamedCoordinate& one : machine.coordinates)
+        for (const Joint& joint : situation(index).joints)
+          if (joint.name == one.joint) asked.accelerated.insert(machine.index.at(joint.to));
+      asked.accelerations = true;
+    }
+    // Equations of this kind are short or of no use to a reader.
+    constexpr Work most_work = most_instant_work / 4;
+    const FormulaLimitScope limits({formula_terms, most_work});
+    const PlainPointScope decisions(*letters);
+    try {
+      general.numbers().solve_forces();
+      general.formulas().solve_forces();
+    } catch (const std::exception&) {
+      return;
+    }
+    for (const std::string& name : coordinates) open.insert(open.end(), {name, GeneralMotion::rate_letter(name)});
+    ExplanationTex tex(general.situation(), std::move(open));
+    tex.set_letters(general.in_shown_units(*letters, tex));
+    Explanation any_time;
+    InstantExplainer(general.situation(), general.numbers(), nullptr, &general.formulas(), *letters, factors_of(values),
+                     tex, asked, numbers_.settings()[index], any_time)
+        .explain(suffix_of(index) + ", at any time", true);
+    for (ExplainedSection& section : any_time.sections) {
+      // Numbers of this one time are left out; so is what is too long to be read.
+      for (ExplainedStep& step : section.steps) {
+        const bool equations = !step.equations.empty();
+        std::erase_if(step.equations, [](const ExplainedEquation& one) { return !is_equality(one.tex); });
+        if (equations && step.equations.empty()) step.text.clear();
+      }
+      std::erase_if(section.steps,
+                    [](const ExplainedStep& step) { return step.text.empty() && step.equations.empty(); });
+      if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
+    }
   }
 
   std::string instant_words(const Sample::Home& home) const {

@@ -59,6 +59,14 @@ bool InstantExplainer::needs_balance() const {
          (figures_.numbers.forces && (questions_.asks_forces() || (situation_.steady && !situation_.find.empty())));
 }
 
+// Whether data are to be found of which a momentum or an energy is stated.
+bool InstantExplainer::states_momenta() const {
+  if (situation_.find.empty()) return false;
+  return std::ranges::any_of(situation_.instants, [](const Instant& instant) {
+    return std::ranges::any_of(instant.facts, [](const Fact& fact) { return speaks_of_momentum(fact.quantity); });
+  });
+}
+
 std::vector<InstantExplainer::System> InstantExplainer::systems() const {
   std::vector<System> cut;
   if (!needs_balance()) return cut;
@@ -169,6 +177,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   if (plane) {
     const auto all = bodies_with_mass();
     const bool everything = moves_in_plane({all.begin(), all.end()}, *plane);
+    if (everything) everything_in_ = plane;
     const std::string in_plane =
         (everything ? "Everything moves" : names_of(bodies) + (bodies.size() > 1 ? " move" : " moves")) + " in the $" +
         tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
@@ -287,7 +296,8 @@ void InstantExplainer::explain_found() {
   });
   if (!by_rows && formula_instant_) {
     stated.conditions.clear();
-    stated.from = "Solved for the forces, the equations leave with what is known";
+    stated.from = needs_balance() ? "Solved for the forces, the equations leave with what is known"
+                                  : "What is known of the momenta gives";
     take(formula_instant_->remainders());
   }
   if (formula_instant_)
@@ -302,7 +312,8 @@ void InstantExplainer::explain_found() {
   std::vector<std::string> conditions;
   for (const Instant& instant : situation_.instants)
     for (const Fact& fact : instant.facts)
-      if (level_of(situation_, fact.quantity) == Level::force || sudden())
+      if (level_of(situation_, fact.quantity) == Level::force || sudden() ||
+          (!needs_balance() && speaks_of_momentum(fact.quantity)))
         conditions.push_back("`" + to_string(fact.quantity) + " = " + to_string(fact.value) + "`");
   ExplainedStep found{(steps.empty() ? "Of the data to be found, the equations" : "The equations") +
                           (conditions.empty() ? std::string() : " with what is known, " + listed(conditions) + ",") +

@@ -101,7 +101,8 @@ class ClaimExplainer {
   static std::string term(const std::string& expression) {
     if (is_name(expression)) return ExplanationTex::symbol(expression);
     std::string escaped;
-    for (const char c : expression) escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+    for (const char c : expression)
+      escaped += c == '_' ? std::string("\\_") : c == '^' ? std::string("\\^{}") : std::string(1, c);
     return "\\left(\\texttt{" + escaped + "}\\right)";
   }
 

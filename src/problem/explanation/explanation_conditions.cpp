@@ -30,6 +30,19 @@ void InstantExplainer::friction_step(std::size_t i, ExplainedSection& here) {
                           {}});
 }
 
+// Whether a coordinate of a free body leads out of the plane in which everything moves.
+bool InstantExplainer::leaves_plane(std::size_t k) const {
+  if (!everything_in_) return false;
+  for (int i = 0; i < mechanism().tree.body_count(); ++i) {
+    const auto& body = mechanism().tree.body(i);
+    const int at = static_cast<int>(k) - body.v;
+    if (at < 0 || at >= velocity_size(body.joint)) continue;
+    const bool across = static_cast<std::size_t>(at % 3) == *everything_in_;
+    return body.joint == JointType::free && across != solve::coordinate_turns(mechanism().tree, static_cast<int>(k));
+  }
+  return false;
+}
+
 // Shows restitution and the constraints between coordinates.
 void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
                                         ExplainedSection& here) {
@@ -100,7 +113,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       const std::vector<std::size_t> blocked = sudden() ? std::vector<std::size_t>{} : blocked_coordinates();
       const std::vector<double> numbers_row = row(numbers).coefficients;
       for (const std::size_t k : blocked)
-        if (!is_rounding(numbers_row[k], solved_.scales().length))
+        if (!is_rounding(numbers_row[k], solved_.scales().length) && !leaves_plane(k))
           note_once(here, "Held by *" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name +
                               "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex + " = 0$.");
       continue;
@@ -122,10 +135,12 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
     // A direction in numbers is that of the letters that were drawn: then only what holds is named.
     if (tex_.letters_open() && constraint.action >= 0 && words.back() == ']')
       words = "*" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name + "*";
-    ExplainedStep step{
-        "What holds the bodies: " + words + ":",
-        tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length, natural_coefficient())};
-    if (!step.equations.empty()) here.steps.push_back(std::move(step));
+    ExplainedStep step{words + ":", tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length,
+                                                 natural_coefficient())};
+    if (step.equations.empty()) continue;
+    note_once(here, std::string("What holds the bodies says of their ") +
+                        (sudden() ? "velocities after the blow:" : "accelerations:"));
+    here.steps.push_back(std::move(step));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "problem/explanation/figures_of_instant.h"
 #include "problem/instant/instant_conditions.h"
@@ -14,6 +15,7 @@ namespace {
 // Relative difference allowed between a formula and its number. Numbers that rest on unknowns are found to 1e-9; a
 // formula that is not that of the number is off in its first digits.
 constexpr double formula_tolerance = 1e-8;
+constexpr std::size_t longest_within_text = 130;  // characters of TeX
 
 }  // namespace
 
@@ -171,10 +173,17 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
   bool says_mass = false;
   if (mass_said_.insert(body).second) {
     if (tex_.can_show(mass)) step.text += "mass " + tex_.inline_both(mass, dimensions::mass);
-    if (!is_rounding(norm(G.position.number), solved_.scales().length) && tex_.can_show(G.position))
-      step.text +=
-          ", mass center at " + tex_.inline_equation("\\mathbf{r}_{" + G.label + "}", G.position, dimensions::length);
-    if (tex_.can_show(mass)) step.text += ".";
+    if (!is_rounding(norm(G.position.number), solved_.scales().length) && tex_.can_show(G.position)) {
+      const ExplainedEquation place = tex_.equation("\\mathbf{r}_{" + G.label + "}", G.position, dimensions::length);
+      step.text += tex_.can_show(mass) ? ", mass center at" : "mass center at";
+      // What is long takes a line of its own.
+      if (place.tex.size() > longest_within_text) {
+        section.steps.push_back({std::exchange(step.text, ""), {place}});
+      } else {
+        step.text += " $" + place.tex + "$";
+      }
+    }
+    if (tex_.can_show(mass) && !step.text.empty()) step.text += ".";
     says_mass = tex_.can_show(mass);
   }
   const bool open = leaves_inertia_open(situation_, body_name(body));
@@ -185,10 +194,10 @@ void InstantExplainer::inertia_step(ExplainedSection& section, int body, const E
   const SymmetricMatrix3<double> numbers = tensor(figures_.numbers);
   if (size_of(numbers) == 0) {
     // A particle has nothing but its mass.
-    if (says_mass) section.steps.push_back(std::move(step));
+    if (says_mass && !step.text.empty()) section.steps.push_back(std::move(step));
     return;
   }
-  if (says_mass) step.text += " ";
+  if (!step.text.empty() && says_mass) step.text += " ";
   if (open) {
     // The numbers taken for what is open are none of its.
     step.text += "Of its moments and products of inertia only those that are stated are known.";
@@ -481,6 +490,7 @@ void InstantExplainer::explain(const std::string& suffix, bool followed) {
     velocity_conditions();
   explain_masses();
   explain_momenta();
+  if (!needs_balance() && !followed && states_momenta()) explain_found();
   explain_kinematics();
   explain_free_motion();
   std::erase_if(explanation_.sections, [](const ExplainedSection& one) { return one.steps.empty(); });

@@ -153,6 +153,7 @@ class InstantExplainer {
 
   // These are defined in explanation_balance.cpp.
   bool needs_balance() const;
+  bool states_momenta() const;
   void explain_balance();
   void explain_found();
   bool neglects(const std::string& unknown) const;
@@ -203,6 +204,7 @@ class InstantExplainer {
   void list_unknowns(const std::vector<Symbol>& listed);
   std::vector<std::size_t> open_coordinates() const;
   std::vector<std::size_t> blocked_coordinates() const;
+  bool leaves_plane(std::size_t k) const;
 
   bool sudden() const { return figures_.numbers.before.has_value(); }
   const Mechanism<double>& mechanism() const { return figures_.numbers.mechanism(); }
@@ -232,6 +234,7 @@ class InstantExplainer {
   };
   std::map<std::string, OpenRates> open_rates_;
   bool any_said_ = false;
+  Plane everything_in_{};         // the axis across which nothing moves
   std::set<std::string> across_;  // unknowns across the planes of motions, of which nothing is said
   std::vector<Formula> factors_;  // that terms of a condition may share
 };

@@ -30,6 +30,7 @@ class Data {
       if (tex_.letters_open() && !letters_of(situation_, expression).empty()) return code(expression);
       DataScope<double> data(situation_, settings_);
       const double value = data.number(expression, dimension);
+      if (const Name* name = expression.as<Name>()) said_.insert(name->name);
       return code(expression) + " $= " + tex_.with_unit(value, dimension) + "$";
     } catch (const StatementError&) {
       return code(expression);
@@ -46,12 +47,37 @@ class Data {
     if (amount.specific_weight) return "specific weight " + code(*amount.specific_weight);
     return "";
   }
+  // The data of which no value was told, as equations.
+  std::vector<std::string> others() const {
+    std::vector<std::string> equations;
+    DataScope<double> data(situation_, settings_);
+    for (const NamedExpression& item : situation_.given) {
+      std::set<std::string> names{item.name};
+      collect_names(item.value, names);
+      const bool open = std::ranges::any_of(names, [&](const std::string& name) { return hidden_.contains(name); }) ||
+                        (tex_.letters_open() && !letters_of(situation_, item.value).empty());
+      if (said_.contains(item.name) || open || depends_on_time(situation_, item.value)) continue;
+      try {
+        const Value<double> value = data.value(built(Name{item.name}, Mark{}));
+        if (value.is_number())
+          equations.push_back("$" + ExplanationTex::symbol(item.name) + " = " +
+                              tex_.with_unit(value.number, value.dimension) + "$");
+        else if (value.kind == Value<double>::Kind::vector)
+          equations.push_back(tex_.inline_equation(ExplanationTex::vector_symbol(item.name),
+                                                   {value.vector, Vector3<Formula>::zero()}, value.dimension));
+      } catch (const StatementError&) {
+        // What has no value of its own is no datum for a reader.
+      }
+    }
+    return equations;
+  }
 
  private:
   const Situation& situation_;
   const Settings& settings_;
   const std::set<std::string>& hidden_;
   const ExplanationTex& tex_;
+  mutable std::set<std::string> said_{};  // data whose values were told
 };
 
 std::string body_line(const Body& body, const Data& data) {
@@ -236,7 +262,8 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
     for (const CordWheel& wheel : cord.over) over += (over.empty() ? ", led over *" : ", *") + wheel.name + "*";
     lines.push_back("the cord *" + cord.name + "* " + (cord.on_to ? "winds on *" : "holds *") + cord.to + "*" +
                     (cord.end ? " at " + code(*cord.end) : "") +
-                    (cord.direction ? " along " + code(*cord.direction) : "") + over);
+                    (cord.direction ? " along " + code(*cord.direction) : "") + over +
+                    (cord.length ? ", " + data.number(*cord.length, dimensions::length) + " long" : ""));
   }
   for (const Belt& belt : situation.belts) {
     std::string over;
@@ -321,6 +348,8 @@ ExplainedSection model_section(const Situation& situation, const Settings& setti
   for (std::size_t i = 0; i < lines.size(); ++i)
     text += std::string(i == 0 ? "" : "\n") + "* " + lines[i] + (i + 1 == lines.size() ? "." : ";");
   section.steps.push_back({text, {}});
+  if (const std::vector<std::string> others = data.others(); !others.empty())
+    section.steps.push_back({"Data: " + listed(others) + ".", {}});
   return section;
 }
 

@@ -1,19 +1,33 @@
 #include "problem/explanation/explanation_motion.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "poinsot/engine/dynamics/kinematics.h"
 #include "poinsot/engine/solve/instant/mechanism_state.h"
+#include "problem/explanation/explanation_unknowns.h"
 #include "problem/explanation/kept_values.h"
 #include "problem/explanation/turning_points.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
 
+namespace {
+
+// What is kept of a mass that may be any, for a unit of it.
+void divide_by_mass(KeptValue& kept, const std::string& mass) {
+  if (kept.dimension == dimensions::angular_velocity) return;
+  kept.symbol = (has_parts(kept.symbol) ? "(" + kept.symbol + ")" : kept.symbol) + "/" + ExplanationTex::symbol(mass);
+  kept.dimension = kept.dimension / dimensions::mass;
+  if (kept.formula) kept.formula = substituted(*kept.formula, {{mass, Formula(1)}});
+}
+
+}  // namespace
+
 std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation_index, Sample& sample,
-                                              const GeneralMotion* general, const ExplanationTex& tex,
-                                              const std::string& suffix) {
+                                              const GeneralMotion* general, const std::string& any_mass,
+                                              const ExplanationTex& tex, const std::string& suffix) {
   const Situation& situation = statement.situations[situation_index];
   Course& motion = sample.motion(situation_index);
   ExplainedSection section{"Motion through time" + suffix, {}};
@@ -25,10 +39,16 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
   }
   for (const std::string& method : motion.methods())
     section.steps.push_back({"How it is followed: " + method + ".", {}});
-  for (const std::string& happening : motion.happenings()) section.steps.push_back({happening + ".", {}});
+  for (std::string happening : motion.happenings()) {
+    happening.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(happening.front())));
+    std::ranges::replace(happening, '\'', '*');
+    section.steps.push_back({happening + ".", {}});
+  }
   const double reached = motion.reached();
   if (reached > 0 && situation.stages.size() <= 1) {
-    const std::vector<KeptValue> values = kept_values(situation, situation_index, sample, reached, general);
+    std::vector<KeptValue> values = kept_values(situation, situation_index, sample, reached, general);
+    if (!any_mass.empty())
+      for (KeptValue& one : values) divide_by_mass(one, any_mass);
     ExplainedStep kept{"", {}};
     std::vector<std::string> words;
     for (const KeptValue& one : values) {
@@ -122,6 +142,114 @@ ExplainedSection uniform_stage(const Situation& situation, std::size_t situation
               (tex.can_show(lasts) ? " for " + tex.inline_value(lasts, dimensions::time) : "") + ", and at its end";
   if (step.equations.empty()) step.text += " the rates have grown with the time that it lasts.";
   return {"Stage *" + situation.stages[stage].name + "*" + suffix, {std::move(step)}};
+}
+
+namespace {
+
+// How a vector is called in an equation.
+std::string vector_tex(const Expression& expression, const ExplanationTex& tex) {
+  if (const Name* name = expression.as<Name>()) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (name->name == tex.axis(k)) return tex.unit_vector(k);
+    return ExplanationTex::vector_symbol(name->name);
+  }
+  if (const Arrow* arrow = expression.as<Arrow>()) {
+    const Name *from = arrow->from.as<Name>(), *to = arrow->to.as<Name>();
+    if (from && to) return "\\overrightarrow{" + from->name + to->name + "}";
+  }
+  if (const Call* call = expression.as<Call>()) {
+    const Expression* about = call->argument("about");
+    const Name* point = about ? about->as<Name>() : nullptr;
+    if (call->function == "angular_momentum")
+      return "\\mathbf{H}" + (point ? "_{" + ExplanationTex::symbol(point->name) + "}" : std::string());
+    if (call->function == "angular_velocity") return "\\boldsymbol{\\omega}";
+    if (call->function == "velocity") return "\\mathbf{v}";
+    if (call->function == "acceleration") return "\\mathbf{a}";
+    if (call->function == "angular_acceleration") return "\\boldsymbol{\\alpha}";
+    if (call->function == "force" || call->function == "reaction") return "\\mathbf{F}";
+  }
+  return "";
+}
+
+bool is_unit(const Expression& expression, const ExplanationTex& tex) {
+  const Name* name = expression.as<Name>();
+  return name && (name->name == tex.axis(0) || name->name == tex.axis(1) || name->name == tex.axis(2));
+}
+
+std::string size_tex(const std::string& vector) { return "\\left|" + vector + "\\right|"; }
+
+// The angle by its cosine.
+void add_asked_angle(ExplainedStep& step, const std::string& symbol, const Call& call, const Vector3<double>& u,
+                     const Vector3<double>& w, const ExplanationTex& tex) {
+  const Expression *first = call.argument(""), *second = call.argument("to");
+  std::string left = vector_tex(*first, tex), right = vector_tex(*second, tex);
+  if (left.empty()) left = "\\mathbf{u}";
+  if (right.empty() || right == left) right = "\\mathbf{w}";
+  const bool acute = call.function == "acute_angle";
+  const double cosine = dot(u, w) / (norm(u) * norm(w)), shown = acute ? std::abs(cosine) : cosine;
+  const std::string product = left + "\\cdot" + right, sizes = (is_unit(*first, tex) ? "" : size_tex(left)) +
+                                                               (is_unit(*second, tex) ? "" : size_tex(right));
+  step.equations.push_back(tex.equation("\\cos " + symbol + " = \\frac{" + (acute ? size_tex(product) : product) +
+                                            "}{" + (sizes.empty() ? "1" : sizes) + "}",
+                                        known_number(shown), dimensions::none));
+  step.equations.push_back(
+      tex.equation(symbol, known_number(std::acos(std::clamp(shown, -1.0, 1.0))), dimensions::angle));
+}
+
+// The size by the components.
+void add_asked_size(ExplainedStep& step, const std::string& symbol, const Expression& of, const Vector3<double>& vector,
+                    const Dimension& dimension, const ExplanationTex& tex) {
+  constexpr double noticeable = 1e-9;  // of the vector
+  std::string squares;
+  int count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(vector[k]) <= noticeable * norm(vector)) continue;
+    const std::string number = tex.number(std::abs(vector[k]), dimension);
+    squares += (count++ > 0 ? " + " : "") + (has_parts(number) ? "\\left(" + number + "\\right)" : number) + "^{2}";
+  }
+  // The size of a single component is that component.
+  if (count < 2) return;
+  const std::string name = vector_tex(of, tex);
+  step.equations.push_back(tex.equation(symbol + " = " + (name.empty() ? "" : size_tex(name) + " = ") + "\\sqrt{" +
+                                            squares + "}" + tex.unit_tex(dimension),
+                                        known_number(norm(vector)), dimension));
+}
+
+}  // namespace
+
+ExplainedSection vectors_section(const Statement& statement, const Solution& solution, const Sample::Home& home,
+                                 Sample& sample, const ExplanationTex& tex, const std::string& suffix) {
+  ExplainedSection section{"Angles and sizes" + suffix, {}};
+  ExplainedStep step{"What is asked for follows from these vectors:", {}};
+  for (std::size_t k = 0; k < statement.asks.size(); ++k) {
+    const Ask& ask = statement.asks[k];
+    // Without a value of its own it stands among the answers as a formula.
+    if (ask.of.size() != 1 || ask.is_list || ask.table || ask.when || ask.extremum ||
+        solution.asks[k].state != AskState::found)
+      continue;
+    const At* at = ask.of.front().as<At>();
+    const Call* call = (at ? at->expression : ask.of.front()).as<Call>();
+    if (call == nullptr || (call->function != "angle" && call->function != "acute_angle" && call->function != "norm"))
+      continue;
+    const Sample::Home own = sample.home_of(ask);
+    if (own < home || home < own) continue;
+    const auto vector = [&](const Expression* one) -> std::optional<Value<double>> {
+      if (one == nullptr) return std::nullopt;
+      const Value<double> value = sample.value_at(home, *one, std::nullopt);
+      if (value.kind != Value<double>::Kind::vector || norm(value.vector) == 0) return std::nullopt;
+      return value;
+    };
+    const std::optional<Value<double>> first = vector(call->argument(""));
+    if (!first) continue;
+    const std::string symbol = ExplanationTex::symbol(ask.name);
+    if (call->function == "norm") {
+      if (!tex.numbers_open()) add_asked_size(step, symbol, *call->argument(""), first->vector, first->dimension, tex);
+    } else if (const std::optional<Value<double>> second = vector(call->argument("to"))) {
+      add_asked_angle(step, symbol, *call, first->vector, second->vector, tex);
+    }
+  }
+  if (!step.equations.empty()) section.steps.push_back(std::move(step));
+  return section;
 }
 
 ExplainedSection turned_axes_section(const Statement& statement, const Sample::Home& home, Sample& sample,

@@ -76,7 +76,9 @@ Scalar quantity_of(const MassProperties<Scalar>& part, const Vector3<Scalar>& po
 void InstantExplainer::parts_step(ExplainedSection& section, int body, const ExplainedPoint& point) {
   const auto stated = std::find_if(situation_.bodies.begin(), situation_.bodies.end(),
                                    [&](const Body& one) { return one.name == body_name(body); });
-  if (stated == situation_.bodies.end() || solved_.uses_any()) return;
+  // For any time of a motion the whole is enough: the parts were told of its start.
+  const bool any_time = followed_ && formula_instant_ != nullptr;
+  if (stated == situation_.bodies.end() || solved_.uses_any() || any_time) return;
   const Body whole = with_legs(*stated);
   const std::vector<std::string> names = names_of_parts(whole);
   if (names.size() < 2) return;

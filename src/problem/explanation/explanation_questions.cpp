@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "problem/language/expression_walk.h"
+#include "problem/machine/data.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
@@ -12,8 +13,9 @@ namespace {
 // Walks through an expression and records what it asks of the model at its instant.
 class Collector {
  public:
-  Collector(const Statement& statement, Sample& sample, StatementQuestions& found)
-      : statement_(statement), sample_(sample), found_(found) {}
+  // along: whether all that is asked belongs to no time of a motion in particular.
+  Collector(const Statement& statement, Sample& sample, StatementQuestions& found, bool along = false)
+      : statement_(statement), sample_(sample), found_(found), along_(along) {}
 
   void collect(const Expression& expression, const Sample::Home& home) {
     home_ = home;
@@ -30,6 +32,7 @@ class Collector {
   }
 
   void of_at(const At& at) {
+    if (along_) return walk(at.expression);
     const Sample::Home outer = home_;
     home_ = sample_.resolve(at, at.instant_mark);
     walk(at.expression);
@@ -60,6 +63,8 @@ class Collector {
   void of_call(const Call& call) {
     const std::string_view f = call.function;
     if (is_motion_feature(call)) {
+      if (along_)
+        for (const Argument& argument : call.arguments) walk(argument.value);
       found_.motions.insert(home_.situation);
       return;
     }
@@ -164,18 +169,80 @@ class Collector {
   const Statement& statement_;
   Sample& sample_;
   StatementQuestions& found_;
+  bool along_;
   Sample::Home home_;
   bool rate_ = false;
   int depth_ = 0;
 };
 
+bool runs_over_datum(const Statement& statement, const Table& table) {
+  const std::vector<std::string> data = settable_names(statement.situations.front());
+  return std::ranges::find(data, table.over) != data.end();
+}
+
+// The columns of a table over a datum, with this as it is stated.
+void collect_table(const Statement& statement, const Table& table, Sample& sample, Collector& collector,
+                   StatementQuestions& found) {
+  for (const NamedExpression& column : table.columns) {
+    const Sample::Home home = sample.home(column.value, column.mark);
+    if (asks_motion_feature(column.value)) {
+      found.motions.insert(home.situation);
+      continue;
+    }
+    try {
+      // The stated value may be none at which anything is asked.
+      SolvedInstant& instant = sample.instant(home);
+      if (!statement.situations[home.situation].has_blow()) instant.solve_forces();
+    } catch (const StatementError&) {
+      continue;
+    }
+    found.instants[home];
+    collector.collect(column.value, home);
+  }
+}
+
+// What is asked for of whole motions.
+void collect_along(const Statement& statement, Sample& sample, StatementQuestions& found) {
+  StatementQuestions all;
+  Collector collector(statement, sample, all, true);
+  for (const Ask& ask : statement.asks) {
+    if (ask.extremum || (ask.table && runs_over_datum(statement, *ask.table))) continue;
+    try {
+      const Sample::Home start = sample.start_of(sample.home_of(ask).situation);
+      if (ask.when || ask.table) found.motions.insert(start.situation);
+      if (ask.when) collector.collect(ask.when->condition, start);
+      if (ask.table)
+        for (const NamedExpression& column : ask.table->columns) collector.collect(column.value, start);
+      for (const Expression& one : ask.of) {
+        const bool feature = asks_motion_feature(one);
+        const Sample::Home home = feature ? start : sample.home(one, ask.mark);
+        if (feature || home.time || home.ending) collector.collect(one, sample.start_of(home.situation));
+      }
+    } catch (const StatementError&) {
+      // The asks themselves tell of this.
+    }
+  }
+  for (auto& [home, questions] : all.instants) found.along[home.situation] = std::move(questions);
+}
+
 }  // namespace
+
+bool speaks_of_momentum(const Expression& expression) {
+  if (const Call* call = expression.as<Call>())
+    if (call->function == "angular_momentum" || call->function == "momentum" || call->function == "kinetic_energy")
+      return true;
+  bool found = false;
+  for_each_child(expression, [&](const Expression& part) { found = found || speaks_of_momentum(part); });
+  return found;
+}
 
 StatementQuestions questions_of(const Statement& statement, Sample& sample,
                                 const std::map<std::size_t, std::size_t>& limits) {
   StatementQuestions found;
   Collector collector(statement, sample, found);
   for (const Ask& ask : statement.asks) {
+    if (ask.table && runs_over_datum(statement, *ask.table))
+      collect_table(statement, *ask.table, sample, collector, found);
     if (ask.table || ask.when || ask.extremum) continue;
     for (const Expression& expression : ask.of) {
       if (asks_motion_feature(expression)) {
@@ -207,12 +274,13 @@ StatementQuestions questions_of(const Statement& statement, Sample& sample,
           found.motions.insert(i);
           continue;
         }
-        if (level_of(situation, fact.quantity) != Level::force) continue;
+        if (level_of(situation, fact.quantity) != Level::force && !speaks_of_momentum(fact.quantity)) continue;
         collector.collect(fact.quantity, instant.name == "before" ? Sample::Home{i, 0, std::nullopt} : start);
       }
     }
     if (situation.steady) found.instants[start];
   }
+  collect_along(statement, sample, found);
   for (const auto& [home, questions] : found.instants)
     if (home.time || home.ending) found.motions.insert(home.situation);
   return found;

@@ -37,7 +37,12 @@ struct InstantQuestions {
 struct StatementQuestions {
   std::map<Sample::Home, InstantQuestions> instants;
   std::set<std::size_t> motions;  // situations whose motion in time is asked for
+  // By situation, what is asked for of all its motion: over time, at later instants, as an extreme.
+  std::map<std::size_t, InstantQuestions> along;
 };
+
+// Whether an expression has a momentum or a kinetic energy in it.
+bool speaks_of_momentum(const Expression& expression);
 
 // limits: situations to be explained at a limit, with the ask whose conditions count there. Throws StatementError as
 // the evaluation of the asks does.

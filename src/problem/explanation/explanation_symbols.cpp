@@ -389,4 +389,8 @@ std::string ExplanationTex::plain(const std::string& tex) {
   return text;
 }
 
+bool has_parts(const std::string& tex) { return tex.find(' ') != std::string::npos; }
+bool shows_rate(const std::string& tex) { return tex.find("\\dot") != std::string::npos; }
+bool is_equality(const std::string& tex) { return tex.find(" = ") != std::string::npos; }
+
 }  // namespace poinsot::problem

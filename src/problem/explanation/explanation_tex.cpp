@@ -94,6 +94,19 @@ std::string formula_as_tex(const Formula& formula) {
   return result + tex.substr(at);
 }
 
+// As TeX, if it is short enough to read. A formula with a magnitude in it does not say which of two cases holds, which
+// its number does: beside that it is left out.
+std::optional<std::string> readable(const Formula& formula, std::size_t longest, bool beside_number) {
+  try {
+    if (text(formula).size() > longest) return std::nullopt;
+    std::string tex = formula_as_tex(formula);
+    if (beside_number && tex.find("\\left|") != std::string::npos) return std::nullopt;
+    return tex;
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
+}
+
 bool is_plain_number(const std::string& side) { return side.find_first_not_of("0123456789.-+ ") == std::string::npos; }
 
 double size_of(const Vector3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -200,21 +213,11 @@ std::optional<std::string> ExplanationTex::formula_tex(const Shown& value, const
                                                        std::size_t longest) const {
   const std::optional<Formula>& formula = value.formula;
   if (!formula || formula->letters().empty() || !fits_units(value, dimension)) return std::nullopt;
-  try {
-    if (text(*formula).size() > longest) return std::nullopt;
-    return formula_as_tex(*formula);
-  } catch (const FormulaTooLarge&) {
-    return std::nullopt;
-  }
+  return readable(*formula, longest, is_known(value));
 }
 
 std::optional<std::string> ExplanationTex::formula(const Formula& formula) {
-  try {
-    if (text(formula).size() > longest_alone) return std::nullopt;
-    return formula_as_tex(formula);
-  } catch (const FormulaTooLarge&) {
-    return std::nullopt;
-  }
+  return readable(formula, longest_alone, false);
 }
 
 ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Shown& value, const Dimension& dimension,
@@ -259,17 +262,15 @@ std::optional<std::string> ExplanationTex::vector_formula(const ShownVector& val
   std::string sum;
   bool has_letters = false;
   std::size_t length = 0;
+  const std::size_t longest = letters_open() ? 3 * longest_alone : longest_line;
   for (std::size_t k = 0; k < 3; ++k) {
     const Formula& component = (*value.formula)[k];
     if (component.is_zero()) continue;
     has_letters = has_letters || !component.letters().empty();
-    try {
-      length += text(component).size();
-      if (length > (letters_open() ? 3 * longest_alone : longest_line)) return std::nullopt;
-      add_term(sum, formula_as_tex(component), unit_vector(k));
-    } catch (const FormulaTooLarge&) {
-      return std::nullopt;
-    }
+    const auto tex = readable(component, longest - std::min(length, longest), is_known(value[k]));
+    if (!tex) return std::nullopt;
+    length += text(component).size();
+    add_term(sum, *tex, unit_vector(k));
   }
   if (!has_letters) return std::nullopt;
   return sum;
@@ -342,18 +343,15 @@ std::optional<std::string> ExplanationTex::side_in_symbols(const std::vector<Sho
     if (!term.coefficient.formula) return std::nullopt;
     if (term.coefficient.formula->is_zero()) continue;
     if (!fits_units(term.coefficient, dimension / term.dimension)) return std::nullopt;
-    try {
-      if (text(*term.coefficient.formula).size() > (letters_open() ? longest_alone : longest_line)) return std::nullopt;
-      // A number that no letter stands for is written as in the file: 0.002 and not 1/500.
-      const bool letters = !term.coefficient.formula->letters().empty();
-      const Dimension of_coefficient = dimension / term.dimension;
-      add_term(side,
-               letters || of_coefficient == dimensions::none ? formula_as_tex(*term.coefficient.formula)
-                                                             : number(term.coefficient.number, of_coefficient),
-               term.symbol);
-    } catch (const FormulaTooLarge&) {
-      return std::nullopt;
-    }
+    const auto tex =
+        readable(*term.coefficient.formula, letters_open() ? longest_alone : longest_line, is_known(term.coefficient));
+    if (!tex) return std::nullopt;
+    // A number that no letter stands for is written as in the file: 0.002 and not 1/500.
+    const bool letters = !term.coefficient.formula->letters().empty();
+    const Dimension of_coefficient = dimension / term.dimension;
+    add_term(side,
+             letters || of_coefficient == dimensions::none ? *tex : number(term.coefficient.number, of_coefficient),
+             term.symbol);
   }
   return side.empty() ? "0" : side;
 }

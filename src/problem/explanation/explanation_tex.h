@@ -147,4 +147,10 @@ bool is_rounding(double value, double size);
 // cancel.
 bool has_value(const Formula& formula, const LetterValues& letters, double value, double tolerance);
 
+// What TeX that was put together shows: several factors or terms, which a power or a fraction needs in brackets; the
+// rate of a letter; that something equals something.
+bool has_parts(const std::string& tex);
+bool shows_rate(const std::string& tex);
+bool is_equality(const std::string& tex);
+
 }  // namespace poinsot::problem

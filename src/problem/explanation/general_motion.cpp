@@ -85,6 +85,18 @@ const NamedCoordinate* GeneralMotion::coordinate_of(const std::string& letter) c
   return nullptr;
 }
 
+std::vector<std::string> GeneralMotion::named_coordinates() const {
+  std::vector<std::string> names;
+  const Model<double>& tree = numbers_->machine().mechanism.tree;
+  for (int i = 0; i < tree.body_count(); ++i)
+    if (velocity_size(tree.body(i).joint) > 1) return {};
+  for (const NamedCoordinate& coordinate : numbers_->machine().coordinates) {
+    if (coordinate.name.empty()) return {};
+    names.push_back(coordinate.name);
+  }
+  return names;
+}
+
 bool GeneralMotion::is_of_motion(const std::string& letter) const { return coordinate_of(letter) != nullptr; }
 
 Dimension GeneralMotion::dimension_of(const std::string& letter) const {

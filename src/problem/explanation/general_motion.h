@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "problem/explanation/explanation_tex.h"
 #include "problem/formulas/formula_instant.h"
@@ -18,6 +20,11 @@ class GeneralMotion {
                                            const Settings& settings, const MotionState& now, LetterValues letters);
 
   const FormulaInstant& formulas() const { return *formulas_; }
+  FormulaInstant& formulas() { return *formulas_; }
+  SolvedInstant& numbers() { return *numbers_; }
+  const Situation& situation() const { return situation_; }
+  // The coordinates, if the statement names all of them; else none.
+  std::vector<std::string> named_coordinates() const;
   const solve::MechanismStateOf<Formula>& state() const { return formulas_->mechanism_state(); }
   // The letter of the rate of a coordinate.
   static std::string rate_letter(const std::string& coordinate) { return coordinate + "'"; }

@@ -55,10 +55,11 @@ void ShownNumbers::find_limits() {
     const std::string& name = statement_.situations[situation].name;
     const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
       if (&other == &ask) return false;
-      if (other.extremum) return situation_of(statement_, other) == situation;
+      if (other.extremum) return false;
       return name.empty() || names_situation(other, name);
     });
-    if (alone) limits_[situation] = k;
+    // Of several limits it is the first.
+    if (alone) limits_.emplace(situation, k);
   }
 }
 

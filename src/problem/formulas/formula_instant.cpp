@@ -156,7 +156,10 @@ solve::ExactSolution FormulaInstant::solve_with_unfixed(const solve::LinearSyste
 void FormulaInstant::solve_blow() {
   before_.emplace(*mechanism_state_);
   blow_ = stated_blow(view());
-  if (numbers_.rough_blow()) throw NoFormula("a blow with friction is followed by numbers");
+  const std::optional<RoughBlow>& rough = numbers_.rough_blow();
+  if (rough && rough->form == RoughBlow::Form::numbers)
+    throw NoFormula("a blow with friction is followed by numbers where the slip turns, or stops and the push moves it");
+  if (rough) put_friction(blow_, *before_, *rough);
   put_flanks(machine_.mechanism, numbers_.blow_flanks());
   const StatedConditions<Formula> stated = blow_conditions(view(), blow_);
   solve::ExactSolution solution =
@@ -169,7 +172,43 @@ void FormulaInstant::solve_blow() {
             impulses_.begin() + static_cast<std::ptrdiff_t>(machine_.mechanism.tree.velocity_size()));
   present_.reset();
   mechanism_state_->set_velocities(v_);
+  if (rough) note_rough_blow(*rough);
   hold_nonlinear(stated.nonlinear);
+}
+
+// The numbers decide how the point that is struck slips. With letters its form must hold in general, and its borders
+// are noted: a slip along one line changes evenly with the push, so that it keeps its sense where it has it at both
+// ends; one that the push does not move vanishes where its friction has been less than mu times the push.
+void FormulaInstant::note_rough_blow(const RoughBlow& rough) const {
+  using Form = RoughBlow::Form;
+  using Vector = Vector3<Formula>;
+  const auto none = [](const Vector& v) { return v.x.is_zero() && v.y.is_zero() && v.z.is_zero(); };
+  const solve::ImpactOf<Formula>& impact = blow_.impacts[rough.impact];
+  const std::size_t push = impulses_.size() - blow_.impacts.size() + rough.impact;
+  const Vector n = before_->direction(impact.push);
+  const auto across = [&](const Vector& u) { return Vector(u - dot(u, n) * n); };
+  const Vector comes = impact_velocity(*before_, impact), slip = across(comes),
+               left = across(impact_velocity(*mechanism_state_, impact));
+  note_sign(dot(comes, n));
+  note_sign(impulses_[push]);
+  if (rough.form == Form::slides) {
+    if (!none(cross(slip, left))) throw NoFormula("the slip turns in the blow, which is followed by numbers");
+    note_sign(dot(slip, left));
+    return;
+  }
+  solve::MechanismStateOf<Formula> struck = *before_;
+  struck.set_velocities(std::vector<Formula>(v_.size()));
+  solve::BlowOf<Formula> unit;
+  unit.held_coordinates = blow_.held_coordinates;
+  unit.impacts.push_back(impact);
+  unit.impacts.front().given = Formula(1);
+  std::vector<Formula> moved =
+      solved(solve::impulse_equations(struck, scales_, unit, {}, numbers_.blow_acting())).value;
+  moved.resize(v_.size());
+  struck.set_velocities(moved);
+  if (!none(left) || !none(across(impact_velocity(struck, impact))) || (rough.form == Form::still && !none(slip)))
+    throw NoFormula("with other letters the point slips in the blow otherwise than with these");
+  if (rough.form == Form::stops) note_sign(*impact.friction * impulses_[push] - impulses_[push + 1]);
 }
 
 // The numbers decide which cords and contacts act in the blow. This records the assumption for each: that those that

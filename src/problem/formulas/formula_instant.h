@@ -69,6 +69,7 @@ class FormulaInstant {
   void open_positions();
   void solve_velocities();
   void solve_blow();
+  void note_rough_blow(const RoughBlow& rough) const;
   void note_who_acts() const;
   void take_flanks();
   void note_flanks(const std::vector<Formula>& unknowns) const;

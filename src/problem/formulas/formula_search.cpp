@@ -299,6 +299,14 @@ class FormulaSearch {
     return size_of(value) <= rounding_of_natural * of_all ? std::max(of_all, task_.natural[i]) : task_.natural[i];
   }
 
+  // What a motion tells has no formula here, and need not have an answer where the letters are drawn: a ball that rolls
+  // downhill goes as far as one likes.
+  bool at_instant(std::size_t i) {
+    if (at_instant_.empty())
+      for (const Ask& ask : task_.statement.asks) at_instant_.push_back(is_at_instant(task_, ask));
+    return at_instant_[i];
+  }
+
   // Solves the statement at random values of the letters.
   void draw() {
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
@@ -322,7 +330,7 @@ class FormulaSearch {
       bool makes_sense = true;
       try {
         for (std::size_t i = 0; i < task_.statement.asks.size(); ++i)
-          if (solution_.asks[i].state != AskState::undetermined && !task_.statement.asks[i].extremum)
+          if (solution_.asks[i].state != AskState::undetermined && at_instant(i))
             asked_value(*sample, task_.statement.asks[i]);
         makes_sense = sample->contact_states_hold();
       } catch (const StatementError&) {
@@ -390,6 +398,7 @@ class FormulaSearch {
   FormulaAnswers answers_;
   FormulaGrounds grounds_;
   std::vector<Checkpoint> checkpoints_;
+  std::vector<bool> at_instant_;  // of each ask, whether it is one of an instant that no motion leads to
   std::mt19937_64 random_{4000};
   bool withheld_ = false;
 };

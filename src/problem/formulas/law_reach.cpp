@@ -15,8 +15,11 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t most_scanned_laws = 12;     // points at which all letters are far from their ordinary values
+constexpr std::size_t most_beside = 8;            // points at which all are up to a decade from these
+constexpr std::size_t more_beside = 16;           // such points, if the others leave time for them
 constexpr std::size_t scanned_by_dimensions = 2;  // where dimensions alone tell the laws
-constexpr Work closing_in = 3;                    // times as much work may go into the bounds
+constexpr Work looking_nearer = 2;                // times as much work may go into what lies before far points
+constexpr Work closing_in = 3;                    // and into the bounds
 constexpr int most_halvings = 40;
 constexpr int largest_guess = 12;      // denominator of a bound that is guessed
 constexpr double simple_to = 1e-3;     // relative distance at which a guess is tried on either side
@@ -45,6 +48,8 @@ class Reach {
     keep(base_);
     for (const FarPoint& point : far_points())
       if (!limit_.spent() || (!point.much.empty() && left_out(point.much))) keep(point.letters, point.much);
+    limit_ = WorkLimit(looking_nearer * most_);
+    look_nearer();
     see_what_matters();
     std::vector<LawReach> all;
     // To close a bound in takes as many points again; few laws need it.
@@ -86,7 +91,13 @@ class Reach {
     for (const double far : {20.0, 0.05})
       for (const Letter& letter : letters_)
         if (letter.unit.dimension != dimensions::angle) moved(letter, far * base_.at(letter.name), true);
+    // Far off there may be no answer, or one that takes long, where a bound is close by.
+    for (const double times : {4.0, 0.25})
+      for (const Letter& letter : letters_)
+        if (letter.unit.dimension != dimensions::angle) moved(letter, times * base_.at(letter.name), false);
+    for (std::size_t i = 0; i < most_beside; ++i) points.push_back({beside(i)});
     for (std::size_t i = 0; i < most_scanned_laws; ++i) points.push_back({scanned(i)});
+    for (std::size_t i = 0; i < more_beside; ++i) points.push_back({beside(most_beside + i)});
     return points;
   }
 
@@ -119,6 +130,32 @@ class Reach {
   bool left_out(const std::string& letter) const {
     return std::ranges::any_of(laws_, [&](const HeldLaw& one) { return !stands_in(letter, one.law); });
   }
+  // Where a letter alone is much larger or smaller there may be no answer, since something comes to its end. On the way
+  // there a bound may lie at which there still is one.
+  void look_nearer() {
+    struct Way {
+      std::string letter;
+      double times = 1;  // of its value at the base
+    };
+    std::vector<Way> ways;
+    const auto answered = [](const Tried& one) {
+      return std::ranges::any_of(one.holds, [](const std::optional<bool>& holds) { return holds.has_value(); });
+    };
+    for (const Tried& one : tried_)
+      if (!one.much.empty() && !answered(one))
+        ways.push_back({one.much, one.letters.at(one.much) / base_.at(one.much)});
+    constexpr int looks = 4;
+    for (const Way& way : ways) {
+      double near = 1, far = way.times;
+      for (int i = 0; i < looks && !limit_.spent(); ++i) {
+        const double middle = std::sqrt(near * far);
+        LetterValues letters = base_;
+        letters[way.letter] *= middle;
+        keep(letters);
+        (answered(tried_.back()) ? near : far) = middle;
+      }
+    }
+  }
   // A letter that a law leaves out may matter by less than the tolerance as far as it was tried. Where it alone is
   // large or small on one side, the answer then differs by far more than rounding, which the other side shows.
   void see_what_matters() {
@@ -140,6 +177,17 @@ class Reach {
         double& angle = values[letter.name];
         angle = 0.15 + 1.25 * (angle / std::numbers::pi + 1) / 2;
       }
+    return values;
+  }
+
+  LetterValues beside(std::size_t index) const {
+    LetterValues values = scanned(index);
+    for (const Letter& letter : letters_) {
+      double& value = values[letter.name];
+      const double ordinary = std::abs(base_.at(letter.name));
+      if (letter.unit.dimension != dimensions::angle && ordinary > 0)
+        value = std::copysign(ordinary * std::cbrt(std::abs(value) / ordinary), value);
+    }
     return values;
   }
 

@@ -17,8 +17,8 @@ constexpr std::array independent{Factor::letter, Factor::half_sine, Factor::half
 
 constexpr int largest_divisor = 60;        // of a number that counts as a fraction
 constexpr double largest_numerator = 1e4;  // so that what is near a fraction by chance is rare
-// Of what is under a root or beside pi: there are a hundred thousand such numbers, so that one in a million others is
-// as near to one of them.
+// Of what is under a root or beside pi: there are two hundred thousand such numbers, so that two in a million others
+// are as near to one of them.
 constexpr double largest_numerator_known = 200;
 constexpr double closest_known = 1e-10;
 
@@ -27,6 +27,16 @@ std::optional<Formula> fraction_near(double number, double tolerance, double lar
     const double above = std::round(number * below);
     if (above != 0 && std::abs(above) < largest && std::abs(above / below - number) <= tolerance * std::abs(number))
       return Formula(static_cast<std::int64_t>(above)) / Formula(below);
+  }
+  return std::nullopt;
+}
+
+// The whole number under the root in sqrt(105)/16, and the divisor.
+std::optional<std::pair<int, int>> root_over_whole(double number, double tolerance) {
+  for (int below = 1; below <= largest_divisor; ++below) {
+    const double square = number * number * below * below, whole = std::round(square);
+    if (whole > 0 && whole < largest_numerator_known && std::abs(square - whole) <= 2 * tolerance * square)
+      return std::pair{static_cast<int>(whole), below};
   }
   return std::nullopt;
 }
@@ -196,6 +206,8 @@ std::optional<Formula> known_coefficient(double number, double tolerance) {
           return sign * beside * factor * *fraction;
       if (const auto square = fraction_near(rest * rest / plain(factor), 2 * tolerance, largest_numerator_known))
         return sign * beside * sqrt(factor * *square);
+      if (const auto root = root_over_whole(rest / std::sqrt(plain(factor)), tolerance))
+        return sign * beside * sqrt(factor * Formula(root->first)) / Formula(root->second);
     }
   }
   return std::nullopt;

@@ -217,8 +217,15 @@ class StateSearch {
     varied.direction = OpenChoice::every;
     const bool whole = whole_now_;
     const Slips others = slips_of(tried, varied, open);
+    bool holds_alike = slips.holds == others.holds;
+    if (!holds_alike) {
+      // One share of what contacts carry within their limits is enough, and others next to it may lie outside: of a
+      // roller that touches a wall beside it the only one is that the wall carries nothing.
+      varied.forces = false;
+      holds_alike = slips.holds == slips_of(tried, varied, open).holds;
+    }
     whole_now_ = whole;
-    bool same = slips.holds == others.holds;
+    bool same = holds_alike;
     constexpr double as_open = 1e-6;  // what is open is varied by the size of the motion
     for (std::size_t k = 0; k < slips.slip.size(); ++k)
       same = same && norm(slips.slip[k] - others.slip[k]) <= as_open * (norm(slips.slip[k]) + norm(others.slip[k]));

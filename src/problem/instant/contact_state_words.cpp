@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "problem/instant/contact_state_search.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
+namespace {
+
+constexpr double same_line = 1e-12;  // as unit vectors
+
+}  // namespace
 
 std::string words_of(const ContactState& state, const std::vector<double>& along) {
   const bool in_joint = state.in_joint;
@@ -46,17 +53,49 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
 bool name_direction(ContactState& state, const Situation& situation, const Settings& settings) {
   DataScope<double> data(situation, settings, 0);
   const Vector3<double> d = data.direction(*state.slip);
-  constexpr double one_direction = 1e-12;
   std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
   for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
   for (const std::string& text : names)
     for (const bool opposite : {false, true}) {
       const Expression named = named_direction(text, opposite);
-      if (norm(data.direction(named) - d) > one_direction) continue;
+      if (norm(data.direction(named) - d) > same_line) continue;
       state.slip = named;
       return true;
     }
   return false;
+}
+
+bool name_line(ContactState& state, const Situation& situation, const Settings& settings) {
+  if (name_direction(state, situation, settings)) return true;
+  const auto contact = std::ranges::find(situation.contacts, state.contact, &Contact::name);
+  if (contact == situation.contacts.end()) return false;
+  DataScope<double> data(situation, settings, 0);
+  const Vector3<double> d = data.direction(*state.slip);
+  for (const Expression& line : lines_across(situation, *contact)) {
+    try {
+      if (norm(data.direction(line) - d) > same_line) continue;
+    } catch (const StatementError&) {
+      continue;  // The normal is along this axis.
+    }
+    state.slip = line;
+    return true;
+  }
+  return false;
+}
+
+std::vector<Expression> lines_across(const Situation& situation, const Contact& contact) {
+  const auto made = [](auto content) -> Expression {
+    return {std::make_shared<const Node>(Node{std::move(content), {}, 3})};
+  };
+  std::vector<Expression> lines;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (situation.plane && (axis == situation.plane->first || axis == situation.plane->second)) continue;
+    const Expression name = made(Name{situation.axes[axis]});
+    const Expression line = made(Call{"cross", {{"", contact.normal}, {"with", name}}});
+    lines.push_back(line);
+    lines.push_back(made(Unary{'-', line}));
+  }
+  return lines;
 }
 
 bool are_same(const std::vector<ContactState>& a, const std::vector<ContactState>& b) {

@@ -17,6 +17,11 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
 
 // Gives a direction its name where it has one, for which formulas are exact; false if it has none.
 bool name_direction(ContactState& state, const Situation& situation, const Settings& settings);
+// The same; one without a name is told by the normal of its contact where it lies across an axis.
+bool name_line(ContactState& state, const Situation& situation, const Settings& settings);
+// Directions across the normal of a contact and across an axis, each with its opposite: of an incline its steepest
+// line. In a planar problem these are the two in the plane.
+std::vector<Expression> lines_across(const Situation& situation, const Contact& contact);
 
 // Whether two combinations are the same, with directions by name.
 bool are_same(const std::vector<ContactState>& a, const std::vector<ContactState>& b);

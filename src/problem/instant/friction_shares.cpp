@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <map>
 #include <utility>
 
+#include "engine/solve/linear/cone_program.h"
 #include "engine/solve/linear/decompositions.h"
 #include "engine/solve/linear/linear_program.h"
 
@@ -18,7 +19,15 @@ using Eigen::VectorXd;
 
 // Of the largest force: what sums of a few dozen terms leave of zero.
 constexpr double cone_rounding = 1e-10;
-constexpr int most_planes = 200;  // that meet one cone; each halves what is left of the last one's error
+
+// Combinations of the columns that vanish in some rows.
+MatrixXd that_leave(const MatrixXd& Z, const MatrixXd& rows) {
+  if (!(rows.size() > 0 && rows.cwiseAbs().maxCoeff() > cone_rounding * Z.cwiseAbs().maxCoeff())) return Z;
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(MatrixXd(rows.transpose()));
+  qr.setThreshold(cone_rounding);
+  const MatrixXd Q = qr.householderQ();
+  return Z * Q.rightCols(Z.cols() - qr.rank());
+}
 
 // Combinations of the open directions that move none of the first `fixed` unknowns, as columns: what else is open, such
 // as how a thin rod turns about itself, shares nothing.
@@ -28,12 +37,7 @@ MatrixXd share_directions(const solve::LinearSolution& solution, std::size_t fix
   for (Index d = 0; d < count; ++d)
     for (Index k = 0; k < unknowns; ++k)
       Z(k, d) = solution.open[static_cast<std::size_t>(d)][static_cast<std::size_t>(k)];
-  const MatrixXd moved = Z.topRows(static_cast<Index>(fixed)).transpose();
-  if (!(moved.size() > 0 && moved.cwiseAbs().maxCoeff() > cone_rounding * Z.cwiseAbs().maxCoeff())) return Z;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(moved);
-  qr.setThreshold(cone_rounding);
-  const MatrixXd Q = qr.householderQ();
-  return Z * Q.rightCols(count - qr.rank());
+  return that_leave(Z, Z.topRows(static_cast<Index>(fixed)));
 }
 
 std::vector<std::size_t> unknowns_of(const FrictionCone& cone) {
@@ -66,236 +70,250 @@ VectorXd sizes_of(const MatrixXd& shares, const std::vector<std::size_t>& one_si
   return sizes;
 }
 
-// All shares, with forces in units of the largest: unknown t, one for each direction, and the margin by which no force
-// pulls and no contact leaves its cone.
-class ConeProgram {
+// All shares, with forces in units of the largest: unknown u, the changes of the forces between bodies along
+// directions that stand across one another.
+class SharesInCones {
  public:
-  ConeProgram(const solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
-              const std::vector<FrictionCone>& cones, const MatrixXd& shares)
-      : solution_(solution),
-        sizes_(sizes_of(shares, one_sided, cones)),
-        shares_(shares * sizes_.cwiseInverse().asDiagonal()),
-        directions_(shares_.cols()) {
-    for (const std::size_t k : one_sided) {
+  SharesInCones(const solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
+                const std::vector<FrictionCone>& cones, const MatrixXd& shares, bool with_unmoved = false)
+      : solution_(solution), sizes_(sizes_of(shares, one_sided, cones)) {
+    std::vector<std::size_t> between;
+    const auto look_at = [&](std::size_t k) {
       size_ = std::max(size_, std::abs(solution.value[k]));
-      if (!moves(k)) continue;
-      add(slopes_of(k), solution.value[k], true);
-      pushes_.push_back(k);
-    }
-    for (const FrictionCone& cone : cones) {
-      const std::vector<std::size_t> unknowns = unknowns_of(cone);
-      for (const std::size_t k : unknowns) size_ = std::max(size_, std::abs(solution.value[k]));
-      if (std::ranges::none_of(unknowns, [&](std::size_t k) { return moves(k); })) continue;
-      cones_.push_back(cone);
-      constexpr int first_planes = 8;
-      for (int k = 0; k < first_planes; ++k) add_plane(cone, 2 * std::numbers::pi * k / first_planes);
-    }
+      if (std::ranges::find(between, k) == between.end()) between.push_back(k);
+    };
+    for (const std::size_t k : one_sided) look_at(k);
+    for (const FrictionCone& cone : cones)
+      for (const std::size_t k : unknowns_of(cone)) look_at(k);
+    MatrixXd changes(static_cast<Index>(between.size()), shares.cols());
+    for (Index i = 0; i < changes.rows(); ++i)
+      changes.row(i) = shares.row(static_cast<Index>(between[static_cast<std::size_t>(i)]));
+    changes = changes * sizes_.cwiseInverse().asDiagonal();
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(changes);
+    qr.setThreshold(cone_rounding);
+    directions_ = qr.rank();
+    changes_ = changes;
+    across_ = MatrixXd(qr.householderQ()).leftCols(directions_);
+    for (std::size_t i = 0; i < between.size(); ++i)
+      slopes_[between[i]] = across_.row(static_cast<Index>(i)).transpose();
+    for (const std::size_t k : one_sided)
+      if (moves(k) || with_unmoved) pushes_.push_back(k);
+    for (const FrictionCone& cone : cones)
+      if (with_unmoved || std::ranges::any_of(unknowns_of(cone), [&](std::size_t k) { return moves(k); }))
+        cones_.push_back(cone);
   }
 
-  bool has_cones() const { return !cones_.empty() && size_ > 0; }
-  double size() const { return size_; }
+  bool has_cones() const { return !cones_.empty() && size_ > 0 && directions_ > 0; }
 
-  // The place of the largest margin, up to one, as multiples of the directions.
-  VectorXd middle() {
-    VectorXd objective = VectorXd::Zero(directions_ + 1);
-    objective[directions_] = 1;
-    const std::optional<solve::LinearOptimum> found = climb(objective, true);
-    // Some margin, however far below zero, is always there: a program without an optimum was lost in its rounding.
-    VectorXd t = found ? VectorXd(found->x.head(directions_)) : VectorXd::Zero(directions_);
-    const double bound = found ? found->x[directions_] : 1;
-    // Where cones are round in many directions planes come to the largest margin slowly.
-    if (least_margin(t) < 0 && bound > -cone_rounding)
-      if (VectorXd inner = innermost(t); least_margin(inner) > least_margin(t)) t = std::move(inner);
-    return VectorXd(size_ * t.cwiseQuotient(sizes_));
+  // As multiples of the directions: the place of the largest margin.
+  VectorXd middle() const { return size_ * along_directions(innermost()); }
+
+  // The place of the largest margin by which no force pulls and no contact leaves its cone, up to one; well inside the
+  // cones it is near that.
+  VectorXd innermost() const {
+    VectorXd best = VectorXd::Zero(directions_);
+    double largest = -std::numeric_limits<double>::infinity();
+    // The last steps may lose in rounding what those before had.
+    const auto enough = [&](const solve::ConeOptimum& found) {
+      constexpr double clear = 1e-6, near = 0.1;
+      const double margin = least_margin(found.x.head(directions_)), bound = -found.bound;
+      if (margin > largest) {
+        largest = margin;
+        best = found.x.head(directions_);
+      }
+      return (margin > clear || bound < -clear) && bound - margin <= near * std::abs(bound);
+    };
+    static_cast<void>(solve::minimise(margin_program(), enough));
+    return best;
   }
 
-  // The largest value of slopes . t without a margin; infinite if nothing bounds it.
-  std::optional<double> largest(const std::vector<double>& slopes) {
-    VectorXd objective = VectorXd::Zero(directions_ + 1);
-    for (Index d = 0; d < directions_; ++d) objective[d] = slopes[static_cast<std::size_t>(d)] / sizes_[d];
-    const double scale = objective.cwiseAbs().maxCoeff();
+  // What bounds that margin.
+  std::optional<StickingBound> bound() const {
+    const std::optional<solve::ConeOptimum> found = solve::minimise(margin_program());
+    if (!found) return std::nullopt;
+    StickingBound bound{{}, {}, -found->bound};
+    Index row = 0;
+    for (const std::size_t k : pushes_) bound.pushes.emplace_back(k, found->multipliers[row++]);
+    for (const FrictionCone& cone : cones_) {
+      const auto next = [&] { return found->multipliers[row++]; };
+      if (cone.second) {
+        const double limit = next(), first = next();
+        bound.cones.push_back({cone, limit, first, next()});
+      } else {
+        const double forwards = next(), backwards = next();
+        bound.cones.push_back({cone, forwards + backwards, backwards - forwards, 0});
+      }
+    }
+    return bound;
+  }
+
+  // The largest value of slopes . t; infinite if nothing bounds it, nothing if that is not known.
+  std::optional<double> largest(const std::vector<double>& slopes) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    VectorXd g(changes_.cols());
+    for (Index d = 0; d < g.size(); ++d) g[d] = slopes[static_cast<std::size_t>(d)] / sizes_[d];
+    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> of_forces = by_forces();
+    const VectorXd seen = of_forces.solve(VectorXd(changes_ * g));
+    if ((seen - g).cwiseAbs().maxCoeff() > cone_rounding * g.cwiseAbs().maxCoeff()) return infinite;
+    const MatrixXd by_u = of_forces.solve(across_);
+    VectorXd objective = by_u.transpose() * g;
+    const double scale = objective.size() > 0 ? objective.cwiseAbs().maxCoeff() : 0;
     if (!(scale > 0)) return 0;
     objective /= scale;
-    const std::optional<solve::LinearOptimum> found = climb(objective, false);
-    if (!found) return std::nullopt;
-    if (!found->bounded) return std::numeric_limits<double>::infinity();
-    return size_ * scale * found->value;
+    // Where the cones leave hardly any room what bounds the value is lost in rounding, but for planes.
+    const bool flat = std::ranges::none_of(cones_, [](const FrictionCone& cone) { return cone.second.has_value(); });
+    constexpr double room = 1e-8, grows = 1e-6;
+    if (flat) {
+      const std::optional<solve::LinearOptimum> found = largest_between_planes(objective);
+      if (!found) return std::nullopt;
+      return found->bounded ? size_ * scale * found->value : infinite;
+    }
+    if (!(least_margin(innermost()) > room)) return std::nullopt;
+    const auto largest_up_to = [&](double reach) -> std::optional<double> {
+      solve::ConeProgram program = margin_program(false);
+      program.c = -objective;
+      program.reach = reach;
+      const std::optional<solve::ConeOptimum> found = solve::minimise(program);
+      if (!found) return std::nullopt;
+      const double value = objective.dot(found->x);
+      constexpr double known = 1e-9;
+      if (-found->bound - value > known * std::max(1.0, std::abs(value))) return std::nullopt;
+      return value;
+    };
+    constexpr double reach = 1e2;  // of the largest force
+    const std::optional<double> near = largest_up_to(reach), far = largest_up_to(2 * reach);
+    if (!near || !far) return std::nullopt;
+    return *far > *near + grows ? infinite : size_ * scale * *near;
   }
 
  private:
-  struct Row {
-    VectorXd slopes;
-    double constant = 0;  // in units of force
-    bool margin = false;
-  };
-
-  double force_at(std::size_t k, const VectorXd& t) const { return solution_.value[k] / size_ + slopes_of(k).dot(t); }
-  double least_margin(const VectorXd& t) const {
+  bool moves(std::size_t k) const {
+    const VectorXd& slopes = slopes_.at(k);
+    return slopes.size() > 0 && slopes.cwiseAbs().maxCoeff() > cone_rounding;
+  }
+  double force_at(std::size_t k, const VectorXd& u) const { return solution_.value[k] / size_ + slopes_.at(k).dot(u); }
+  double least_margin(const VectorXd& u) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t k : pushes_) least = std::min(least, force_at(k, t));
+    for (const std::size_t k : pushes_) least = std::min(least, force_at(k, u));
     for (const FrictionCone& cone : cones_) {
-      const auto [first, second] = friction_in(cone, [&](std::size_t k) { return force_at(k, t); });
-      least = std::min(least, cone.coefficient * force_at(cone.push, t) - std::hypot(first, second));
+      const auto [first, second] = friction_in(cone, [&](std::size_t k) { return force_at(k, u); });
+      least = std::min(least, cone.coefficient * force_at(cone.push, u) - std::hypot(first, second));
     }
     return least;
   }
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> by_forces() const {
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(changes_.rows(), changes_.cols());
+    decomposition.setThreshold(cone_rounding);
+    decomposition.compute(changes_);
+    return decomposition;
+  }
+  VectorXd along_directions(const VectorXd& u) const {
+    const VectorXd t = by_forces().solve(VectorXd(across_ * u));
+    return t.cwiseQuotient(sizes_);
+  }
 
-  // The place of the largest margin s from within: the least of
-  //   -w s - sum log(N - s) - sum log((m N - s)^2 - F^2) - log(1 - s) - log(R^2 - t^2)
-  // by Newton's method for larger and larger w, by a start at which s is far below every margin. The place is within
-  // all cones by s at least, and s is known to some count/w (Boyd and Vandenberghe, Convex Optimization, ch. 11).
-  VectorXd innermost(const VectorXd& start) const {
-    struct Barrier {
-      double value = 0;
-      VectorXd slope;
-      MatrixXd bend;
+  // The largest margin s, which is the last unknown and at most one; or without it the shares alone.
+  solve::ConeProgram margin_program(bool with_margin = true) const {
+    const Index n = directions_ + (with_margin ? 1 : 0);
+    std::vector<VectorXd> rows;
+    std::vector<double> constants;
+    solve::ConeProgram program;
+    const auto add = [&](const VectorXd& slopes, double constant, bool margin) {
+      VectorXd row = VectorXd::Zero(n);
+      row.head(directions_) = -slopes;
+      if (margin && with_margin) row[directions_] = 1;
+      rows.push_back(std::move(row));
+      constants.push_back(constant);
     };
-    const Index n = directions_ + 1;
-    const double reach = 10 * (1 + start.norm());
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const auto barrier = [&](const VectorXd& x, double weight) {
-      Barrier all{-weight * x[directions_], VectorXd::Zero(n), MatrixXd::Zero(n, n)};
-      all.slope[directions_] = -weight;
-      const auto t = x.head(directions_);
-      const double s = x[directions_];
-      // -log u, with the slopes and the bends of u.
-      const auto add_log = [&](double u, const VectorXd& slope, const MatrixXd& bend) {
-        all.value = u > 0 ? all.value - std::log(u) : infinite;
-        all.slope -= slope / u;
-        all.bend += slope * slope.transpose() / (u * u) - bend / u;
-      };
-      const MatrixXd straight = MatrixXd::Zero(n, n);
-      const auto slopes = [&](std::size_t k, double factor, double of_margin) {
-        VectorXd slope = VectorXd::Zero(n);
-        slope.head(directions_) = factor * slopes_of(k);
-        slope[directions_] = of_margin;
-        return slope;
-      };
-      for (const std::size_t k : pushes_) add_log(force_at(k, t) - s, slopes(k, 1, -1), straight);
-      for (const FrictionCone& cone : cones_) {
-        const double limit = cone.coefficient * force_at(cone.push, t) - s, first = force_at(cone.first, t),
-                     second = cone.second ? force_at(*cone.second, t) : 0;
-        if (!(limit > 0)) all.value = infinite;
-        const VectorXd of_limit = slopes(cone.push, cone.coefficient, -1), of_first = slopes(cone.first, 1, 0),
-                       of_second = cone.second ? slopes(*cone.second, 1, 0) : VectorXd::Zero(n);
-        add_log(limit * limit - first * first - second * second,
-                2 * (limit * of_limit - first * of_first - second * of_second),
-                2 * (of_limit * of_limit.transpose() - of_first * of_first.transpose() -
-                     of_second * of_second.transpose()));
+    const auto force = [&](std::size_t k) { return solution_.value[k] / size_; };
+    for (const std::size_t k : pushes_) {
+      add(slopes_.at(k), force(k), true);
+      program.sizes.push_back(1);
+    }
+    for (const FrictionCone& cone : cones_) {
+      const double m = cone.coefficient;
+      if (cone.second) {
+        add(m * slopes_.at(cone.push), m * force(cone.push), true);
+        for (const std::size_t k : {cone.first, *cone.second}) add(slopes_.at(k), force(k), false);
+        program.sizes.push_back(3);
+        continue;
       }
-      add_log(1 - s, -VectorXd::Unit(n, directions_), straight);
-      VectorXd place = x;
-      place[directions_] = 0;
-      MatrixXd ball = -2 * MatrixXd::Identity(n, n);
-      ball(directions_, directions_) = 0;
-      add_log(reach * reach - t.squaredNorm(), -2 * place, ball);
-      return all;
-    };
-    VectorXd x(n);
-    x.head(directions_) = start;
-    x[directions_] = least_margin(start) - 1;
-    constexpr double last_weight = 1e12, well_inside = 1e-6;
-    constexpr int most_steps = 40, most_halvings = 40;
-    for (double weight = 1; weight <= last_weight && x[directions_] < well_inside; weight *= 5)
-      for (int step = 0; step < most_steps; ++step) {
-        const Barrier here = barrier(x, weight);
-        const VectorXd change = -here.bend.ldlt().solve(here.slope);
-        const double gain = -here.slope.dot(change);
-        constexpr double settled = 1e-4;
-        if (!(gain > settled)) break;
-        double part = 1;
-        for (int i = 0; i < most_halvings && !(barrier(x + part * change, weight).value < here.value); ++i) part /= 2;
-        const VectorXd next = x + part * change;
-        if (!(barrier(next, weight).value < here.value)) break;
-        x = next;
+      for (const int sign : {1, -1}) {
+        add(m * slopes_.at(cone.push) - sign * slopes_.at(cone.first), m * force(cone.push) - sign * force(cone.first),
+            true);
+        program.sizes.push_back(1);
       }
-    return x.head(directions_);
+    }
+    if (with_margin) {
+      add(VectorXd::Zero(directions_), 1, true);
+      program.sizes.push_back(1);
+    }
+    program.G = MatrixXd(static_cast<Index>(rows.size()), n);
+    program.h = Eigen::Map<VectorXd>(constants.data(), static_cast<Index>(constants.size()));
+    for (Index i = 0; i < program.G.rows(); ++i) program.G.row(i) = rows[static_cast<std::size_t>(i)].transpose();
+    program.c = with_margin ? VectorXd(-VectorXd::Unit(n, directions_)) : VectorXd::Zero(n);
+    return program;
   }
 
-  bool moves(std::size_t k) const { return slopes_of(k).cwiseAbs().maxCoeff() > cone_rounding; }
-  VectorXd slopes_of(std::size_t k) const { return shares_.row(static_cast<Index>(k)).transpose(); }
-  void add(const VectorXd& slopes, double constant, bool margin) { rows_.push_back({slopes, constant, margin}); }
-  void add_plane(const FrictionCone& cone, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle), m = cone.coefficient;
-    VectorXd slopes = m * slopes_of(cone.push) - c * slopes_of(cone.first);
-    double constant = m * solution_.value[cone.push] - c * solution_.value[cone.first];
-    if (cone.second) {
-      slopes -= s * slopes_of(*cone.second);
-      constant -= s * solution_.value[*cone.second];
-    }
-    add(slopes, constant, true);
-  }
-
-  // Meets the cones more and more closely where the optimum lies.
-  std::optional<solve::LinearOptimum> climb(const VectorXd& objective, bool with_margin) {
-    VectorXd last;
-    for (int planes = 0;; ++planes) {
-      std::optional<solve::LinearOptimum> found = solve_program(objective, with_margin);
-      if (!found || !found->bounded || planes == most_planes) return found;
-      // Planes that do not move the optimum are lost in the rounding of the program.
-      constexpr double unmoved = 1e-3 * cone_rounding;
-      if (planes > 0 && (found->x - last).cwiseAbs().maxCoeff() <= unmoved) return found;
-      last = found->x;
-      const VectorXd t = found->x.head(directions_);
-      bool outside = false;
-      double worst = std::numeric_limits<double>::infinity();
-      for (const FrictionCone& cone : cones_) {
-        const auto force = [&](std::size_t k) { return solution_.value[k] / size_ + slopes_of(k).dot(t); };
-        const auto [first, second] = friction_in(cone, force);
-        const double margin = cone.coefficient * force(cone.push) - std::hypot(first, second);
-        worst = std::min(worst, margin);
-        if (margin >= (with_margin ? found->x[directions_] : 0) - 0.01 * cone_rounding) continue;
-        add_plane(cone, std::atan2(second, first));
-        outside = true;
-      }
-      // Well inside all cones, or outside whatever else is tried, more planes decide nothing.
-      constexpr double well_inside = 1e-6;
-      const double bound = found->x[directions_];
-      const bool decided = with_margin && (worst > well_inside || bound < -well_inside);
-      if (!outside || decided) return found;
-    }
-  }
-
-  // Each unknown is the difference of two that are not negative, and each row leaves one.
-  std::optional<solve::LinearOptimum> solve_program(const VectorXd& objective, bool with_margin) const {
-    const Index n = directions_ + 1, rows = static_cast<Index>(rows_.size()) + 1;
-    MatrixXd A = MatrixXd::Zero(rows, 2 * n + rows);
-    VectorXd b(rows);
-    for (Index i = 0; i < rows; ++i) {
-      VectorXd slopes = VectorXd::Zero(n);
-      double constant = 1;
-      if (i + 1 < rows) {
-        const Row& row = rows_[static_cast<std::size_t>(i)];
-        slopes.head(directions_) = row.slopes;
-        constant = row.constant / size_;
-        if (row.margin && with_margin) slopes[directions_] = -1;
-      } else {
-        slopes[directions_] = -1;  // the margin is at most one
-      }
-      A.row(i).head(n) = slopes;
-      A.row(i).segment(n, n) = -slopes;
-      A(i, 2 * n + i) = -1;
-      b[i] = -constant;
-    }
+  // For cones that are two planes each. Each unknown is the difference of two that are not negative, and each row
+  // leaves one.
+  std::optional<solve::LinearOptimum> largest_between_planes(const VectorXd& objective) const {
+    const solve::ConeProgram program = margin_program(false);
+    const Index n = directions_, rows = program.G.rows();
+    MatrixXd A(rows, 2 * n + rows);
+    A << program.G, -program.G, MatrixXd::Identity(rows, rows);
     VectorXd c = VectorXd::Zero(2 * n + rows);
     c.head(n) = objective;
     c.segment(n, n) = -objective;
-    std::optional<solve::LinearOptimum> found = solve::maximise(A, b, c);
-    if (!found) return std::nullopt;
-    const VectorXd x = found->x.head(n) - found->x.segment(n, n);
-    found->x = x;
-    return found;
+    return solve::maximise(A, program.h, c);
   }
 
   const solve::LinearSolution& solution_;
-  const VectorXd sizes_;   // of the directions
-  const MatrixXd shares_;  // in units of these
-  const Index directions_;
-  std::vector<std::size_t> pushes_;  // and cones that open directions move
+  const VectorXd sizes_;                    // of the directions
+  MatrixXd changes_, across_;               // of the forces between bodies, by the directions in these units and by u
+  Index directions_ = 0;                    // of u
+  std::map<std::size_t, VectorXd> slopes_;  // of each of these forces by u
+  std::vector<std::size_t> pushes_;         // and cones that open directions move
   std::vector<FrictionCone> cones_;
-  std::vector<Row> rows_;
   double size_ = 0;
 };
+
+// A contact that carries nothing in any share carries nothing, and what is open leaves it so.
+void hold_at_apexes(solve::LinearSolution& solution, const std::vector<std::size_t>& one_sided,
+                    const std::vector<FrictionCone>& cones, std::size_t fixed) {
+  constexpr double nothing = 1e-11;  // of the largest force: a hundred times more would move limits of sticking
+  double size = 0;
+  for (const FrictionCone& cone : cones)
+    for (const std::size_t k : unknowns_of(cone)) size = std::max(size, std::abs(solution.value[k]));
+  std::vector<std::size_t> none;
+  for (const FrictionCone& cone : cones) {
+    const std::vector<std::size_t> own = unknowns_of(cone);
+    if (std::ranges::any_of(own, [&](std::size_t k) { return std::abs(solution.value[k]) > nothing * size; })) continue;
+    std::vector<double> slopes;
+    for (const std::vector<double>& direction : solution.open) slopes.push_back(direction[cone.push]);
+    const std::optional<double> most = largest_within_cones(solution, one_sided, cones, fixed, slopes);
+    if (most && *most <= nothing * size) none.insert(none.end(), own.begin(), own.end());
+  }
+  if (none.empty()) return;
+  const MatrixXd Z = share_directions(solution, 0);
+  MatrixXd rows(static_cast<Index>(none.size()), Z.cols());
+  for (std::size_t i = 0; i < none.size(); ++i) {
+    rows.row(static_cast<Index>(i)) = Z.row(static_cast<Index>(none[i]));
+    solution.value[none[i]] = 0;
+  }
+  const MatrixXd left = that_leave(Z, rows);
+  solution.open.clear();
+  solution.share.clear();
+  for (Index d = 0; d < left.cols(); ++d) {
+    const double largest = left.col(d).cwiseAbs().maxCoeff();
+    solution.open.emplace_back(solution.value.size());
+    solution.share.emplace_back();
+    for (std::size_t k = 0; k < solution.value.size(); ++k) {
+      solution.open.back()[k] = left(static_cast<Index>(k), d);
+      if (std::abs(solution.open.back()[k]) > cone_rounding * largest) solution.share.back().push_back(k);
+    }
+  }
+}
 
 }  // namespace
 
@@ -304,10 +322,11 @@ void share_within_cones(solve::LinearSolution& solution, const std::vector<std::
   if (solution.open.empty() || !solution.conflict.empty()) return;
   const MatrixXd shares = share_directions(solution, fixed);
   if (shares.cols() == 0) return;
-  ConeProgram program(solution, one_sided, cones, shares);
+  SharesInCones program(solution, one_sided, cones, shares);
   if (!program.has_cones()) return;
   const VectorXd change = shares * program.middle();
   for (std::size_t k = 0; k < solution.value.size(); ++k) solution.value[k] += change[static_cast<Index>(k)];
+  hold_at_apexes(solution, one_sided, cones, fixed);
 }
 
 std::optional<double> largest_within_cones(const solve::LinearSolution& solution,
@@ -317,9 +336,21 @@ std::optional<double> largest_within_cones(const solve::LinearSolution& solution
   if (solution.open.empty() || !solution.conflict.empty()) return std::nullopt;
   const MatrixXd shares = share_directions(solution, fixed);
   if (shares.cols() != static_cast<Index>(solution.open.size())) return std::nullopt;
-  ConeProgram program(solution, one_sided, cones, shares);
+  SharesInCones program(solution, one_sided, cones, shares);
   if (!program.has_cones()) return std::nullopt;
   return program.largest(slopes);
+}
+
+std::optional<StickingBound> bound_on_sticking(const solve::LinearSolution& solution,
+                                               const std::vector<std::size_t>& one_sided,
+                                               const std::vector<FrictionCone>& cones, std::size_t fixed) {
+  if (solution.open.empty() || !solution.conflict.empty()) return std::nullopt;
+  const MatrixXd shares = share_directions(solution, fixed);
+  if (shares.cols() == 0) return std::nullopt;
+  // What no share changes may slide as well.
+  const SharesInCones program(solution, one_sided, cones, shares, true);
+  if (!program.has_cones()) return std::nullopt;
+  return program.bound();
 }
 
 void keep_sticking(const std::vector<double>& from, const std::vector<FrictionCone>& cones, std::vector<double>& to) {

@@ -1,11 +1,12 @@
 // How contacts that stick share a load that the statement does not divide among them: within their cones of friction.
 //
-// The forces are y = y0 + Z t. A contact with the push N and the friction F sticks while m N - e . F >= 0 for every
-// direction e: a cone, which is met from outside by more and more of these planes.
+// The forces are y = y0 + Z t. A contact with the push N and the friction F sticks while |F| <= m N: a cone of forces,
+// so that the largest margin is a program within cones (engine/solve/linear/cone_program.h).
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "poinsot/engine/solve/linear/linear_system.h"
@@ -30,6 +31,24 @@ std::optional<double> largest_within_cones(const solve::LinearSolution& solution
                                            const std::vector<std::size_t>& one_sided,
                                            const std::vector<FrictionCone>& cones, std::size_t fixed,
                                            const std::vector<double>& slopes);
+
+// Weights of the forces that are shared, with which every share has the same sum. Those of a contact lie in a cone
+// themselves, limit >= |(first, second)|, so that
+//   sum w N + sum (limit m N + first F1 + second F2) >= 0
+// wherever all press and stick. Where the sum is below zero, they do so in no share.
+struct StickingBound {
+  struct OfCone {
+    FrictionCone cone;
+    double limit = 0, first = 0, second = 0;
+  };
+  std::vector<std::pair<std::size_t, double>> pushes;
+  std::vector<OfCone> cones;
+  double most = 0;  // no share has a larger margin, in units of the largest force
+};
+// Nothing where nothing is shared.
+std::optional<StickingBound> bound_on_sticking(const solve::LinearSolution& solution,
+                                               const std::vector<std::size_t>& one_sided,
+                                               const std::vector<FrictionCone>& cones, std::size_t fixed);
 
 // Shortens the way from one solution to another so far that no contact leaves its cone.
 void keep_sticking(const std::vector<double>& from, const std::vector<FrictionCone>& cones, std::vector<double>& to);

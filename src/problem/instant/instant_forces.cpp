@@ -17,6 +17,13 @@ const Mark& place_of_friction(const Situation& situation) {
   return std::ranges::find_if(situation.contacts, &Contact::rubs)->friction->mark;
 }
 
+// A normal that points the wrong way asks for a pull where there is a push.
+std::string unless_turned(const Situation& situation, const std::string& name) {
+  const auto contact = std::ranges::find(situation.contacts, name, &Contact::name);
+  if (contact == situation.contacts.end()) return "";
+  return ", if its normal points into '" + contact->of + "' as it should";
+}
+
 }  // namespace
 
 void SolvedInstant::solve_forces() {
@@ -463,7 +470,7 @@ std::vector<std::string> SolvedInstant::unphysical(double off_line) const {
                         " '" + name + "' would have to push: it goes slack");
         break;
       case Holding::presses:
-        words.push_back("the contact '" + name + "' would have to pull: it is lost");
+        words.push_back("the contact '" + name + "' would have to pull: it is lost" + unless_turned(situation_, name));
         break;
       case Holding::sticks:
         words.push_back("the contact '" + name + "' would need more friction to stick: it slides");

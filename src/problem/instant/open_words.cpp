@@ -1,6 +1,7 @@
 #include "problem/instant/open_words.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "problem/language/words.h"
 #include "problem/machine/gimbal_lock.h"
@@ -11,24 +12,37 @@ std::string with_article(const std::string& name) { return name.starts_with("the
 
 namespace {
 
-// The names of the unknowns that change in one open direction.
+// The names of the unknowns that change in one open direction. Those that are asked for stand first, so that they are
+// among those that are told.
 std::vector<std::string> moved_names(const solve::LinearSystem& equations, const solve::LinearSolution& solution,
                                      std::size_t direction, std::size_t first, std::size_t last,
-                                     const std::set<std::string>& asked = {}) {
+                                     const std::set<std::size_t>& asked = {}) {
+  std::vector<std::size_t> moved;
+  if (direction < solution.share.size())
+    std::ranges::copy_if(solution.share[direction], std::back_inserter(moved),
+                         [&](std::size_t k) { return k >= first && k < last; });
+  std::ranges::stable_partition(moved, [&](std::size_t k) { return asked.contains(k); });
   std::vector<std::string> names;
-  if (direction >= solution.share.size()) return names;
-  for (std::size_t k : solution.share[direction])
-    if (k >= first && k < last) names.emplace_back(equations.name(k));
-  // What is asked of stands first, so that it is among those that are told.
-  std::ranges::stable_partition(names, [&](const std::string& name) {
-    return std::ranges::any_of(asked,
-                               [&](const std::string& one) { return name.find("(" + one + ")") != std::string::npos; });
-  });
+  for (const std::size_t k : moved) names.emplace_back(equations.name(k));
   if (names.size() > 6) {
     names.resize(5);
     names.emplace_back("more");
   }
   return names;
+}
+
+// The unknowns of the equations of motion that are forces of what these names stand for.
+std::set<std::size_t> forces_of(const Machine& machine, const std::set<std::string>& names) {
+  std::set<std::size_t> actions, unknowns;
+  for (const std::string& name : names) {
+    const std::vector<std::size_t> own = machine.actions_of(name);
+    actions.insert(own.begin(), own.end());
+  }
+  const solve::ForceUnknowns count = solve::force_unknowns(machine.mechanism);
+  for (std::size_t k = 0; k < count.components; ++k)
+    if (actions.contains(static_cast<std::size_t>(machine.mechanism.components[k].action)))
+      unknowns.insert(count.accelerations + k);
+  return unknowns;
 }
 
 std::string remedy_of(const SolvedInstant& instant) {
@@ -66,7 +80,8 @@ std::string open_force(const SolvedInstant& instant, std::size_t direction, cons
   for (std::string& name : motions)
     if (name != "more") name = with_article(name);
   if (!motions.empty()) return "nothing fixes " + listed(motions) + ": " + remedy_of(instant);
-  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns(), asked)) +
+  return listed(moved_names(equations, instant.motion(), direction, accelerations, equations.unknowns(),
+                            forces_of(instant.machine(), asked))) +
          " share the same load: the statement does not fix them one by one" + std::string(remedy_of_shares);
 }
 

@@ -7,6 +7,7 @@
 
 #include "poinsot/engine/dynamics/momentum.h"
 #include "poinsot/engine/math/formula/formula.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
 #include "poinsot/engine/solve/instant/equations.h"
 #include "problem/language/words.h"
 
@@ -195,6 +196,24 @@ RoughBlowResult follow_rough_blow(const RoughBlowSetting& setting) {
   return result;
 }
 
+namespace {
+
+// |V|; of formulas where it lies along an axis with the sense of the numbers, so that no root is left.
+template <class Scalar>
+Scalar size_of_slip(const Vector3<Scalar>& V) {
+  if constexpr (std::is_same_v<Scalar, Formula>) {
+    const Formula* only = nullptr;
+    int parts = 0;
+    for (const Formula* part : {&V.x, &V.y, &V.z})
+      if (!part->is_zero()) only = part, ++parts;
+    if (parts == 1) return decided_negative(*only) ? -*only : *only;
+  }
+  using std::sqrt;
+  return sqrt(dot(V, V));
+}
+
+}  // namespace
+
 template <class Scalar>
 void put_friction(solve::BlowOf<Scalar>& blow, const solve::MechanismStateOf<Scalar>& before, const RoughBlow& rough) {
   using Form = RoughBlow::Form;
@@ -214,8 +233,7 @@ void put_friction(solve::BlowOf<Scalar>& blow, const solve::MechanismStateOf<Sca
     const Vector3<Scalar> push = before.direction(blow.impacts[rough.impact].push);
     const Vector3<Scalar> u = solve::impact_velocity(before, blow.impacts[rough.impact]);
     const Vector3<Scalar> slip = u - dot(u, push) * push;
-    using std::sqrt;
-    friction.push = {ground, (Scalar(-1) / sqrt(dot(slip, slip))) * slip};
+    friction.push = {ground, (Scalar(-1) / size_of_slip(slip)) * slip};
     if (rough.form == Form::slides)
       friction.per_push = *friction.friction;
     else

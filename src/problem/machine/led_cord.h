@@ -85,6 +85,14 @@ class CordWay {
   std::vector<CordSpan<Scalar>> spans;  // the one from each stop to the next
   std::vector<SpanLine<Scalar>> lines;
 
+  // Of a cord with its ends, as drawn: its straight parts and what lies on the wheels between them.
+  Scalar length() const {
+    Scalar whole(0);
+    for (const SpanLine<Scalar>& line : lines) whole += line.length;
+    for (std::size_t i = 1; i < spans.size(); ++i)
+      if (stops[i].is_wheel()) whole += stops[i].radius * angle_on(spans[i]);
+    return whole;
+  }
   std::size_t span_count() const { return closed_ ? stops.size() : stops.size() - 1; }
   const CordStop<Scalar>& behind(std::size_t i) const { return stops[(i + 1) % stops.size()]; }
 
@@ -375,13 +383,22 @@ class CordWay {
     span.turn_sine = stop.is_wheel()                ? dot(span.axis.vector, turn)
                      : norm(plain(turn)) > as_drawn ? norm(turn)
                                                     : Scalar(0);
-    const Scalar sine = plain(span.from.reach) > 0 ? -span.turn_sine : span.turn_sine;
+    const Scalar sine = sine_on(span);
     // By how far it lies on the wheel, of which -90 deg to 0 is nearly all of it: a side that was not meant.
     const double on_wheel = std::atan2(plain(sine), plain(span.turn_cosine));
     if (stop.is_wheel() && !stop.side && !stop.turns && on_wheel <= 0 && on_wheel > -std::numbers::pi / 2)
       refuse(stop.mark, "may pass '" + stop.name + "' on either side",
              "write " + stop.name + ": {side: +x}, the side of the center on which the cord comes to it");
     if (stop.rubbing) find_wrap(stop, std::abs(on_wheel) > as_drawn ? angle_of(sine, span.turn_cosine) : Scalar(0));
+  }
+
+  // Of the angle by which the cord lies on the wheel before a straight part, turning as it goes round that.
+  static Scalar sine_on(const CordSpan<Scalar>& span) {
+    return plain(span.from.reach) > 0 ? Scalar(-span.turn_sine) : span.turn_sine;
+  }
+  static Scalar angle_on(const CordSpan<Scalar>& span) {
+    const Scalar angle = angle_of(sine_on(span), span.turn_cosine);
+    return decided_negative(angle) ? Scalar(angle + Scalar(2) * pi_value<Scalar>()) : angle;
   }
 
   // Between -pi and pi, by letters of angles where that is such a one.

@@ -4,11 +4,30 @@
 // wheel or through an eyelet it slides: the parts on both sides pull with one force, and grow by nothing together. On
 // a wheel that turns it does not slip, so that each side has a force of its own. Where there is friction it does the
 // one or the other, and as it slips one force is a part of the other (engine/dynamics/capstan.h).
+//
+// A cord that is longer than drawn is slack at the start. As a contact that is open then it exerts no force at an
+// instant, and along a motion it is there: it goes taut where its ends are as far apart as it is long.
 #include "problem/machine/led_cord.h"
 
 namespace poinsot::problem {
 
 namespace {
+
+// By how much a cord is longer than it is drawn: zero where its length is not stated, or is that of the figure.
+template <class Scalar>
+Scalar beyond_figure(const MachineDraft<Scalar>& draft, const Cord& cord, const Scalar& drawn) {
+  if (!cord.length) return Scalar(0);
+  const Scalar length = draft.data.number(*cord.length, dimensions::length), more = length - drawn;
+  constexpr double as_long = 1e-9;  // of its length: places computed from the data have the rounding of some steps
+  if (vanishes(more) || std::abs(plain(more)) <= as_long * plain(drawn)) return Scalar(0);
+  if (!decided_negative(more)) return more;
+  // Values that are tried for unknowns may make it too short.
+  if (draft.options.lenient) return Scalar(0);
+  fail(draft.situation.file, cord.length->mark(),
+       "cord '" + cord.name + "' is " + with_digits(plain(length), 6) + " m long and drawn over " +
+           with_digits(plain(drawn), 6) + " m",
+       "correct its length or the points; a cord that is taut at the start needs no length:");
+}
 
 template <class Scalar>
 class LedCord {
@@ -32,10 +51,28 @@ class LedCord {
         way_.refuse((*wheel)->mark, "winds on '" + stop->name + "', which is no wheel there",
                     "state its radius, or the point to which the cord is tied");
     way_.find_way();
+    if (cord_.length) longer_ = beyond_figure(draft_, cord_, way_.length());
+    if (cord_.length) require_sliding();
+    if (!vanishes(longer_) && !draft_.options.open_contacts) {
+      for (std::size_t i = 0; i < way_.spans.size(); ++i) way_.add_part(cord_.name, i);
+      return;
+    }
     add_parts();
   }
 
  private:
+  // What is slack slips over the wheels that it turns, and how far is not known.
+  void require_sliding() const {
+    for (std::size_t i = 1; i + 1 < way_.stops.size(); ++i) {
+      const CordStop<Scalar>& stop = way_.stops[i];
+      if (stop.slides && !stop.rubbing) continue;
+      way_.refuse(stop.mark,
+                  std::string(stop.rubbing ? "has friction on '" : "turns '") + stop.name +
+                      "' and states its length: what it does slack is not followed there",
+                  "remove length:, or write " + stop.name + ": {smooth: true}");
+    }
+  }
+
   void add_parts() {
     Mechanism<Scalar>& mechanism = draft_.machine.mechanism;
     // Where each row of parts whose tensions go together begins.
@@ -79,12 +116,14 @@ class LedCord {
                                      : " from '" + way_.stops[first].name + "' to '" + way_.stops[last].name + "'"));
       taut.keeps_length = whole;
       for (std::size_t i = first; whole && i < last; ++i) taut.length += way_.lines[i].length;
+      if (whole) taut.length += longer_;
     }
   }
 
   MachineDraft<Scalar>& draft_;
   const Cord& cord_;
   CordWay<Scalar> way_;
+  Scalar longer_{};  // than drawn
 };
 
 }  // namespace
@@ -108,6 +147,8 @@ void add_cord(MachineDraft<Scalar>& draft, const Cord& cord) {
   if (!(norm(plain(end - start)) > 0))
     fail(draft.situation.file, cord.mark, "cord '" + cord.name + "' has length zero");
   require_in_plane<Scalar>(draft, start - end, cord.mark, "cord '" + cord.name + "'");
+  const Scalar drawn = norm(end - start), longer = beyond_figure(draft, cord, drawn);
+  if (!vanishes(longer) && !draft.options.open_contacts) return;
   const Vector3<Scalar> inward = normalized(start - end);
   Component<Scalar>& pull = draft.add_component(action, "", false, at, {ground, inward});
   pull.toward = draft.machine.place(from, start);
@@ -115,7 +156,7 @@ void add_cord(MachineDraft<Scalar>& draft, const Cord& cord) {
   VelocityConstraint<Scalar>& taut =
       draft.add_constraint(VelocityConstraintKind::cord_length, "cord '" + cord.name + "' taut", on, from, at, inward);
   taut.toward = draft.machine.place(from, start);
-  taut.length = norm(end - start);
+  taut.length = drawn + longer;
   taut.action = action;
 }
 

@@ -285,6 +285,16 @@ Outline sector(const ShapeArguments<Scalar>& a) {
 }
 
 template <class Scalar>
+Outline thick_sector(const ShapeArguments<Scalar>& a) {
+  const auto center = a.place("center");
+  const double inner = a.has("inner_radius") ? plain(a.length("inner_radius")) : 0;
+  const Vector3<double> normal = plain(a.direction("normal")), middle = plain(a.toward("middle", center));
+  const double r = plain(a.length("radius")), angle = plain(a.angle("angle"));
+  if (!a.has("thickness")) return outlines::annular_sector(plain(center), normal, r, inner, middle, angle);
+  return outlines::thick_sector(plain(center), normal, r, inner, middle, angle, plain(a.length("thickness")));
+}
+
+template <class Scalar>
 Outline box_shell(const ShapeArguments<Scalar>& a) {
   const auto corners = a.places("corners", 2);
   return outlines::box_shell_between(plain(corners[0]), plain(corners[1]));

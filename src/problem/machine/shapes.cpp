@@ -107,6 +107,28 @@ ShapeValues<Scalar> ellipsoid(const ShapeArguments<Scalar>& a) {
   });
 }
 
+// A sector with an inner radius or a thickness.
+template <class Scalar>
+ShapeValues<Scalar> part_of_ring(const ShapeArguments<Scalar>& a) {
+  const auto c = a.place("center"), n = a.direction("normal"), middle = a.toward("middle", c);
+  const auto r = a.length("radius"), angle = a.angle("angle");
+  const auto inner = a.has("inner_radius") ? a.length("inner_radius") : Scalar(0);
+  a.check(shape_faults::sector(a.owner(), plain(c), plain(n), plain(r), plain(middle), plain(angle)));
+  a.check(shape_faults::annulus(a.owner(), plain(c), plain(n), plain(r), plain(inner)));
+  if (std::abs(plain(dot(n, middle))) > shape_faults::default_tolerance)
+    a.refuse("middle does not lie across the normal");
+  if (!a.has("thickness"))
+    return a.values(Extent::area, shapes::annular_sector(c, n, r, inner, middle, angle), [&] {
+      return particles::annular_sector(plain(c), plain(n), plain(r), plain(inner), plain(middle), plain(angle));
+    });
+  const auto thick = a.length("thickness");
+  if (!(plain(thick) > 0)) a.refuse("its thickness must be more than zero");
+  return a.values(Extent::volume, shapes::thick_sector(c, n, r, inner, middle, angle, thick), [&] {
+    return particles::thick_sector(plain(c), plain(n), plain(r), plain(inner), plain(middle), plain(angle),
+                                   plain(thick));
+  });
+}
+
 // Each row: its words, its picture, closed form and particles, what else than round and straight surfaces it touches
 // with, these surfaces.
 template <class Scalar>
@@ -205,6 +227,9 @@ const std::map<std::string, ShapeRow<Scalar>>& rows() {
                           [&] { return particles::sector(plain(c), plain(n), plain(r), plain(middle), plain(angle)); });
         },
         OtherSurface::corners, surfaces::arc<Scalar>, surfaces::sector<Scalar>}},
+      {"annular_sector",
+       {"sector between two radii", pictures::thick_sector<Scalar>, part_of_ring<Scalar>, OtherSurface::curved}},
+      {"thick_sector", {"thick sector", pictures::thick_sector<Scalar>, part_of_ring<Scalar>, OtherSurface::curved}},
       {"box_shell",
        {"box shell", pictures::box_shell<Scalar>,
         [](const ShapeArguments<Scalar>& a) {

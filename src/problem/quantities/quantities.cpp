@@ -182,6 +182,13 @@ typename QuantityScope<Scalar, Base>::Riding QuantityScope<Scalar, Base>::riding
 
 template <class Scalar, class Base>
 Vector3<Scalar> QuantityScope<Scalar, Base>::place(const Expression& expression, const Evaluator<Scalar>& evaluator) {
+  // The digit stands beside the letter that names most origins, and as a vector it would be taken for the origin.
+  if (const Number* number = expression.as<Number>(); number && number->value == 0) {
+    const bool letter = std::ranges::find(situation_.points, "O", &NamedExpression::name) != situation_.points.end();
+    evaluator.fail(expression.mark(), "0 is a number, and a point is meant here",
+                   letter ? "write O, the letter, for the point of that name; of the origin write [0, 0, 0]"
+                          : "name the point under points:, or write [0, 0, 0] for the origin");
+  }
   return evaluator.vector(expression, dimensions::length);
 }
 

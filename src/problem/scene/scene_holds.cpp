@@ -234,6 +234,12 @@ void SceneFigure::add_links() {
     } else {
       link.to = scene_place(machine_.place(machine_.index.at(cord.from), data_.place(*cord.at)));
     }
+    // As long as it is slack it exerts no force.
+    const Mechanism<double>& mechanism = machine_.mechanism;
+    link.slack = std::ranges::none_of(mechanism.components, [&](const Component<double>& component) {
+      const Action& action = mechanism.actions[static_cast<std::size_t>(component.action)];
+      return action.kind == ActionKind::cord && action.name == cord.name;
+    });
     scene_.links.push_back(link);
   }
   for (const Belt& belt : situation_.belts) add_parts(belt.name);

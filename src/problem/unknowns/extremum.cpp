@@ -8,6 +8,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/states_at_end.h"
+#include "problem/unknowns/sticking_end.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
@@ -295,13 +296,38 @@ bool ExtremumSearch::is_at(double value) {
   return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
 }
 
+std::optional<double> ExtremumSearch::sticking_ends(double inside, double outside) {
+  failed_ = nullptr;
+  if (choice_.trial || truth_at(outside) != Truth::fails || !failed_) return std::nullopt;
+  const Expression& sticking = *failed_;
+  if (const Call* call = sticking.as<Call>(); !call || call->function != "sticking") return std::nullopt;
+  const std::vector<AllSettings> roots = settings_at(inside);
+  if (roots.size() != 1) return std::nullopt;
+  for (const std::shared_ptr<const Statement>& statement : statements_at(roots.front())) {
+    if (Sample here(statement, roots.front(), choice_); !conditions_hold_in(here)) continue;
+    const auto margin = [&](double value) -> std::optional<double> {
+      try {
+        const std::vector<AllSettings> beside = settings_at(value);
+        if (beside.size() != 1) return std::nullopt;
+        Sample there(statement, beside.front(), choice_);
+        there.value_in(situation_of(statement_, ask_), sticking);
+        return margin_of_sticking(there);
+      } catch (const StatementError&) {
+        return std::nullopt;
+      }
+    };
+    return sticking_end(margin, inside, outside);
+  }
+  return std::nullopt;
+}
+
 // Whether contacts that stick at an end would do so beyond it as well, by the second road to the laws of friction. What
-// a state is found by is not that road, and at an end that lies too near it would be confirmed.
+// a state is found by is not that road, and at an end that lies too near it would be confirmed. Where contacts share a
+// load, that one share slides says nothing: then all of them must.
 bool ExtremumSearch::sticks_beyond(double end) try {
   if (!situation_.has_friction() || choice_.trial) return false;
-  // So far beyond that the limit is passed by far more than the rounding to which it is reached at the end.
-  constexpr double beyond = 1e-3, clearly = 10, nothing_left = 1e-12;
-  const double further = end + (ask_.extremum->largest ? beyond : -beyond) * (end != 0 ? std::abs(end) : span().scale);
+  // The farthest is so far beyond that the limit is passed by far more than the rounding to which it is reached.
+  constexpr double farthest = 1e-3, clearly = 10, nothing_left = 1e-12;
   const auto friction_off = [](const Sample& sample) {
     double off = 0;
     for (const auto& [home, instant] : sample.instants()) off = std::max(off, instant->check().friction.value_or(0));
@@ -311,14 +337,21 @@ bool ExtremumSearch::sticks_beyond(double end) try {
     for (const std::shared_ptr<const Statement>& statement : statements_at(root)) {
       Sample here(statement, root, choice_);
       if (!conditions_hold_in(here)) continue;
-      for (const AllSettings& beside : settings_at(further)) {
-        Sample there(statement, beside, choice_);
-        if (conditions_hold_in(there)) continue;
-        const Call* failed = failed_->as<Call>();
-        if (failed && failed->function == "sticking" &&
-            friction_off(there) <= clearly * friction_off(here) + nothing_left)
-          return true;
-      }
+      bool shared = false;
+      for (double part = 1e-6; part <= 1.5 * farthest && !shared; part *= 10)
+        for (const AllSettings& beside :
+             settings_at(end + (ask_.extremum->largest ? part : -part) * (end != 0 ? std::abs(end) : span().scale))) {
+          Sample there(statement, beside, choice_);
+          if (conditions_hold_in(there)) continue;
+          const Call* failed = failed_->as<Call>();
+          if (!failed || failed->function != "sticking") continue;
+          if (const std::optional<bool> none = none_shares(there)) {
+            if (!*none) return true;
+            shared = true;
+          } else if (10 * part > 1.5 * farthest && friction_off(there) <= clearly * friction_off(here) + nothing_left) {
+            return true;
+          }
+        }
       return false;
     }
   return false;
@@ -455,6 +488,7 @@ ExtremumFound ExtremumSearch::found_end() {
                    refusal_->diagnostics().front().message;
     return found;
   }
+  if (const std::optional<double> end = sticking_ends(inside, outside)) inside = *end;
   found.note = told_beyond(inside, outside);
   found.value = Value<double>::of_number(inside, dimension_);
   found.sample = sample_at(inside);

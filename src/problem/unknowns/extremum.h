@@ -62,6 +62,9 @@ class ExtremumSearch {
   // The end of stability between two values; nothing if that is not what ends there or if it is not known closely.
   std::optional<StabilityEnd> stability_ends(double inside, double outside);
 
+  // The end of sticking to the last digits; nothing if that is not what ends there.
+  std::optional<double> sticking_ends(double inside, double outside);
+
   const Statement& statement_;
   const Ask& ask_;
   const AllSettings& settings_;

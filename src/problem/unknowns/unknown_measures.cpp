@@ -49,7 +49,8 @@ bool UnknownEquations::take_measures(const std::vector<double>& x) {
       const auto [held, fresh] = measures_.eliminations.try_emplace({i, which}, elimination);
       if (!fresh && elimination.rank() <= held->second.rank()) return;
       held->second = elimination;
-      told_more = true;
+      // No rank is higher than the number of unknowns.
+      told_more = told_more || elimination.rank() < instant.equations_of(which).unknowns();
     };
     if (velocities) hold(InstantSystem::velocities);
     if (velocities && instant.after_blow()) hold(InstantSystem::blow);

@@ -216,6 +216,7 @@ void UnknownSearch::leave_out_nonsense(RootsFound& found) const {
   std::vector<AllSettings> sensible;
   std::vector<std::string> reasons;
   for (const AllSettings& root : found.roots) {
+    if (found.roots.size() == 1) break;  // a single one is kept, whatever it is
     if (const auto error = objection(root))
       add_once(reasons, "one solution of the conditions is left out: " + std::string(error->what()));
     else

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/witness/stated_motion.h"
+#include "problem/witness/stated_springs.h"
 
 namespace poinsot::problem {
 namespace {

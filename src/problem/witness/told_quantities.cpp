@@ -246,7 +246,7 @@ SolvedInstant::ToldMisfit SolvedInstant::misfit_of_told() const {
   const bool attracted = !mechanism.attractions.empty();
   const ParticlePaths paths(machine_.links, bodies, machine_.q, v_, a, attracted ? scales_.length : 0);
   std::optional<ParticlePaths> before;
-  if (before_)
+  if (before_ && std::ranges::any_of(told_, [](const ToldQuantity& told) { return in_blow(told.kind); }))
     before.emplace(machine_.links, bodies_before, machine_.q, before_->state().v, std::vector<double>(v_.size(), 0.0));
   const ToldCheck check(paths, before, ToldCheck::wide(mechanism.tree.gravity()));
   const auto balance = [&](const ToldQuantity& told) {

@@ -65,6 +65,8 @@ std::vector<Case> cases(std::uint64_t seed) {
       [=](int k) { return o::semicircle(A, B, side, k); });
   add("sector", Kind::surface, false, s::sector(A, n, r, across, angle),
       [=](int k) { return o::sector(A, n, r, across, angle, k); });
+  add("annular sector", Kind::surface, false, s::annular_sector(A, n, r, inner, across, angle),
+      [=](int k) { return o::annular_sector(A, n, r, inner, across, angle, k); });
   add("box shell", Kind::shell, true, s::box_shell_between(A, Vector(A + Vector{1, -2, 0.5})), [=](int) {
     return o::box_shell_between(A, A + Vector{1, -2, 0.5});
   });
@@ -95,6 +97,10 @@ std::vector<Case> cases(std::uint64_t seed) {
   add("prism", Kind::solid, true, s::prism(star, Vector(c + 0.3 * a)),
       [=](int) { return o::prism(star, c + 0.3 * a); });
   add("prism, down", Kind::solid, true, s::prism(star, Vector(-c)), [=](int) { return o::prism(star, -c); });
+  add("thick sector", Kind::solid, false, s::thick_sector(A, n, r, inner, across, angle, 0.7),
+      [=](int k) { return o::thick_sector(A, n, r, inner, across, angle, 0.7, k); });
+  add("thick sector to its tip", Kind::solid, false, s::thick_sector(A, n, r, 0.0, across, angle, 0.7),
+      [=](int k) { return o::thick_sector(A, n, r, 0, across, angle, 0.7, k); });
   add("half cylinder", Kind::solid, false, s::half_cylinder(A, B, r, side),
       [=](int k) { return o::half_cylinder(A, B, r, side, k); });
   add("paraboloid", Kind::solid, false, s::paraboloid(A, B, r), [=](int k) { return o::paraboloid(A, B, r, k); });
@@ -165,7 +171,7 @@ TEST(Outlines, SolidsAreClosedAndOutward) {
       const auto faults = find_faults({outline.vertices, outline.triangles}, one.name);
       EXPECT_TRUE(faults.empty()) << faults.front().message;
     }
-  EXPECT_EQ(solids, 4 * 18U);
+  EXPECT_EQ(solids, 4 * 20U);
 }
 
 TEST(Outlines, NormalsAreThoseOfTheTrueSurface) {

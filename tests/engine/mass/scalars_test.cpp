@@ -43,6 +43,8 @@ std::vector<MassProperties<S>> all_shapes(const std::array<S, 10>& u) {
       shapes::annulus(A, a, r, half),
       shapes::semicircle(A, B, b),
       shapes::sector(A, a, r, b, r),
+      shapes::annular_sector(A, a, r, half, b, r),
+      shapes::thick_sector(A, a, r, half, b, r, half),
       shapes::box_shell(A, a, c, d),
       shapes::box_shell_between(A, Vector3<S>(A + Vector3<S>{r, half, r})),
       shapes::sphere_shell(A, r),

@@ -23,6 +23,19 @@ TEST(ShapeLimits, SpecialCasesAreOtherShapes) {
     const double R = r.length();
     EXPECT_TRUE(near(shapes::sector(C, n, R, d, 2 * pi_value), shapes::disk(C, n, R), 1e-13));
     EXPECT_TRUE(near(shapes::arc(C, n, d, R, 2 * pi_value), shapes::ring(C, n, R), 1e-13));
+    const double part = r.between(0.1, 6), inner = R * r.between(0, 0.95), thick = r.length();
+    EXPECT_TRUE(near(shapes::annular_sector(C, n, R, 0.0, d, part), shapes::sector(C, n, R, d, part), 1e-13));
+    EXPECT_TRUE(near(shapes::annular_sector(C, n, R, inner, d, 2 * pi_value), shapes::annulus(C, n, R, inner), 1e-13));
+    // A narrow one is an arc, to the square of its width, of which nothing cancels.
+    const Vector along = normalized(perpendicular_part(d, normalized(n))), beside = cross(normalized(n), along);
+    const Vector start = std::cos(part / 2) * along - std::sin(part / 2) * beside;
+    EXPECT_TRUE(near(of_mass(shapes::annular_sector(C, n, R * (1 + 1e-9), R * (1 - 1e-9), d, part), 1.0),
+                     of_mass(shapes::arc(C, n, start, R, part), 1.0), 1e-12));
+    const Vector up = 0.5 * thick * normalized(n);
+    EXPECT_TRUE(near(shapes::thick_sector(C, n, R, inner, d, 2 * pi_value, thick),
+                     shapes::tube(Vector(C - up), Vector(C + up), R, inner), 1e-13));
+    EXPECT_TRUE(near(shapes::thick_sector(C, n, R, 0.0, d, pi_value, thick),
+                     shapes::half_cylinder(Vector(C - up), Vector(C + up), R, d), 1e-13));
     EXPECT_TRUE(near(shapes::annulus(C, n, R, 0.0), shapes::disk(C, n, R), 1e-14));
     EXPECT_TRUE(near(shapes::tube(C, E, R, 0.0), shapes::cylinder(C, E, R), 1e-14));
     EXPECT_TRUE(near(shapes::frustum(C, R, E, R), shapes::cylinder(C, E, R), 1e-13));

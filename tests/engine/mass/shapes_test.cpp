@@ -145,6 +145,13 @@ TYPED_TEST(Shapes, PlatesAgreeWithParticles) {
   POINSOT_EXPECT_AGREEMENT(annulus, annulus);
   POINSOT_EXPECT_AGREEMENT(semicircle, half);
   POINSOT_EXPECT_AGREEMENT(sector, sector);
+  const auto annular_sector = [](auto& r) {
+    const auto normal = r.direction();
+    const TypeParam outer = r.length();
+    return std::tuple(r.point(), normal, outer, TypeParam(outer * r.between(0, 0.99)), r.across(normal),
+                      r.between(0.3, 2 * std::numbers::pi));
+  };
+  POINSOT_EXPECT_AGREEMENT(annular_sector, annular_sector);
 }
 
 template <class Scalar>
@@ -223,6 +230,13 @@ TYPED_TEST(Shapes, SolidsAgreeWithParticles) {
     const auto B = r.point_apart_from(A);
     return std::tuple(A, B, r.length(), r.across(B - A));
   };
+  const auto thick_sector = [](auto& r) {
+    const auto n = r.direction();
+    const TypeParam outer = r.length();
+    return std::tuple(r.point(), n, outer, TypeParam(outer * r.between(0, 0.999)), r.across(n), r.between(0.05, 6.2),
+                      r.length());
+  };
+  POINSOT_EXPECT_AGREEMENT(thick_sector, thick_sector);
   POINSOT_EXPECT_AGREEMENT(prism, prism);
   POINSOT_EXPECT_AGREEMENT(half_cylinder, half_cylinder);
   POINSOT_EXPECT_AGREEMENT(paraboloid, bar);

@@ -73,6 +73,53 @@ TEST(FrictionRows, ARecordFollowsTheStatesFromBlockToBlock) {
   EXPECT_GT(blocks, 1);
 }
 
+// A ball that bounces until it rests, and a bob that its slack cord catches; blocks that a second recording makes from
+// what the first one left have the same bits.
+TEST(FrictionRows, ARecordGoesOnThroughBlows) {
+  const std::string text =
+      "title: t\npoints: {G: [0, 1.1 m, 0], C: [0, 1 m, 0], O: [0, 0, 0], P: [3 m, 0, 0], B: [3.2 m, 0, 0]}\n"
+      "bodies: {ball: {sphere: {center: G, radius: 0.1 m}, mass: 2 kg}, bob: {particle: B, mass: 1 kg}}\ngravity: -y\n"
+      "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O, restitution: 0.7, friction: 0.1}}\n"
+      "cords: {cord: {at: P, to: bob, end: B, length: 0.9 m}}\n"
+      "instants: {start: {velocity(ball): [1 m/s, 0, 0], angular_velocity(ball): [0, 0, 0], velocity(bob): [0, 0, "
+      "0]}}\n"
+      "record: {every: 1 ms, for: 3 s, columns: {t: time, y: center(ball).y, far: norm(center(bob) - P)}}\n";
+  RecordedMotion one(read_statement(text, "test.yaml"), {}), other(read_statement(text, "test.yaml"), {});
+  const double falls = std::sqrt(2 / g), e = 0.7;
+  const auto height = [&](double t) {
+    double v = g * falls, from = falls;
+    if (t < falls) return 1.1 - g * t * t / 2;
+    for (int blow = 0; blow < 60; ++blow) {
+      v *= e;
+      if (t < from + 2 * v / g) return 0.1 + v * (t - from) - g * (t - from) * (t - from) / 2;
+      from += 2 * v / g;
+    }
+    return 0.1;
+  };
+  std::optional<RecordedState> state = one.start();
+  std::uint64_t row = 0;
+  int blocks = 0;
+  while (state) {
+    const RecordedBlock block = one.block(row, *state), again = other.block(row, *state);
+    EXPECT_EQ(block.values, again.values) << row;
+    EXPECT_EQ(block.next, again.next) << row;
+    EXPECT_EQ(block.notes, again.notes) << row;
+    for (std::size_t k = 0; k + 2 < block.values.size(); k += 3) {
+      const double t = block.values[k];
+      EXPECT_NEAR(block.values[k + 1], height(t), 1e-7) << t;
+      EXPECT_LE(block.values[k + 2], 0.9 + 1e-9) << t;
+      if (t > std::sqrt(2 * std::sqrt(0.81 - 0.04) / g) && t < 1) {
+        EXPECT_NEAR(block.values[k + 2], 0.9, 1e-9) << t;
+      }
+    }
+    row += block.values.size() / 3;
+    state = block.next;
+    ++blocks;
+  }
+  EXPECT_EQ(row, 3001U);
+  EXPECT_GT(blocks, 2);
+}
+
 TEST(FrictionRows, AMotionIsAskedAtAnyTimes) {
   AskedMotion motion(read_statement(up_a_slope("ask: {a: acceleration(block)}\n"), "test.yaml"), {{"mu", "0.2"}});
   const std::vector<double> times{0.1, 0.4, 0.9, 1.5};

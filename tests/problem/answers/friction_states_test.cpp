@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -227,6 +228,72 @@ TEST(FrictionStates, that_letters_may_reach_are_said) {
   EXPECT_EQ(found.solutions.size(), 2U);
   EXPECT_TRUE(said("contact 'slope' begins to slide along -down"));
   EXPECT_TRUE(said("contact 'slope' parts"));
+}
+
+// The only share of the forces is that the wall carries nothing.
+TEST(FrictionStates, of_a_roller_at_rest_in_a_corner_is_one) {
+  for (const double mu : {0.1, 0.3, 0.9, 1.5}) {
+    const SolvedStatement found = solved(
+        fmt::format("given: {{r: 0.1 m, mu: {}}}\npoints: {{O: [r, r, 0], F: [r, 0, 0], W: [0, r, 0]}}\n"
+                    "bodies: {{roller: {{cylinder: {{center: O, axis: z, radius: r, length: r}}, mass: 5 kg}}}}\n"
+                    "contacts: {{floor: {{of: roller, at: F, normal: y, friction: mu}}, "
+                    "wall: {{of: roller, at: W, normal: x, friction: mu}}}}\ngravity: -y\ninstants: {{now: rest}}\n"
+                    "ask: {{a: norm(acceleration(roller)), w: norm(angular_acceleration(roller))}}\n",
+                    mu));
+    ASSERT_EQ(found.solutions.size(), 1U) << mu;
+    EXPECT_NEAR(number(found.solutions[0], 0), 0, 1e-9) << mu;
+    EXPECT_NEAR(number(found.solutions[0], 1), 0, 1e-9) << mu;
+  }
+}
+
+// On a slope of which only the normal has a name, with the coefficient or the angle unknown.
+TEST(FrictionStates, with_unknowns_slide_along_lines_that_the_normal_tells) {
+  const auto slope = [](const char* data) {
+    return solved(std::string(data) +
+                  "points: {C: [0, 0, 0]}\ndirections: {out: [sin(b), cos(b), 0]}\n"
+                  "bodies: {block: {particle: C, mass: 2 kg}}\n"
+                  "contacts: {slope: {of: block, at: C, normal: out, friction: mu}}\ngravity: -y\n"
+                  "instants: {now: {rest: true, norm(acceleration(block)): 2 m/s^2}}\nask: {u: u}\n");
+  };
+  const SolvedStatement rough = slope("given: {b: 30 deg, mu: u}\nfind: {u: 1}\nwhere: [0.01 < u < 1]\n");
+  ASSERT_EQ(rough.solutions.size(), 1U);
+  EXPECT_NEAR(number(rough.solutions[0], 0), std::tan(std::numbers::pi / 6) - 2 / (g * std::cos(std::numbers::pi / 6)),
+              1e-9);
+  const SolvedStatement steep = slope("given: {mu: 0.3, b: u}\nfind: {u: deg}\nwhere: [1 deg < u < 80 deg]\n");
+  ASSERT_EQ(steep.solutions.size(), 1U);
+  const double b = number(steep.solutions[0], 0);
+  EXPECT_NEAR(g * (std::sin(b) - 0.3 * std::cos(b)), 2, 1e-8);
+}
+
+// In letters, too.
+TEST(FrictionStates, of_a_slope_in_letters_need_no_named_line) {
+  const SolvedStatement found = solved(
+      "letters: {mu: 1}\ngiven: {b: 25 deg}\npoints: {C: [0, 0, 0]}\ndirections: {out: [sin(b), cos(b), 0]}\n"
+      "bodies: {block: {particle: C, mass: 2 kg}}\n"
+      "contacts: {slope: {of: block, at: C, normal: out, friction: mu}}\ngravity: -y\n"
+      "instants: {now: rest}\nask: {a: norm(acceleration(block))}\n");
+  ASSERT_EQ(found.solutions.size(), 2U);
+  ASSERT_TRUE(found.solutions[1].asks[0].formula);
+  const double b = 25 * std::numbers::pi / 180;
+  EXPECT_NEAR(value_at(found.solutions[1].asks[0].formula->number, {{"mu", 0.2}}),
+              g * (std::sin(b) - 0.2 * std::cos(b)), 1e-9);
+}
+
+// A claim about what a contact does is decided where the contact is in that state.
+TEST(FrictionStates, claims_of_words_are_held_in_their_states_alone) {
+  const SolvedStatement found = solved(
+      "letters: {m: kg, b: rad, mu: 1}\npoints: {C: [0, 0, 0]}\n"
+      "directions: {down: [cos(b), -sin(b), 0], out: [sin(b), cos(b), 0]}\nassume: [0 < b < 90 deg]\n"
+      "bodies: {block: {particle: C, mass: m}}\n"
+      "contacts: {slope: {of: block, at: C, normal: out, friction: mu}}\ngravity: -y\ninstants: {now: rest}\n"
+      "claim: {holds: {claim: sticking(slope), assume: [mu > tan(b)]}, "
+      "slides: {claim: sliding(slope), assume: [mu < tan(b)]}}\n");
+  ASSERT_EQ(found.solutions.size(), 2U);
+  for (const std::size_t own : {0U, 1U}) {
+    EXPECT_TRUE(found.solutions[own].claims[own].holds) << own;
+    // No letters fulfil what is assumed in the other state.
+    EXPECT_EQ(found.solutions[own].claims[1 - own].state, AskState::undetermined) << own;
+  }
 }
 
 }  // namespace friction_states_test

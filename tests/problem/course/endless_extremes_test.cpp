@@ -11,6 +11,7 @@ namespace poinsot::problem {
 namespace endless_extremes_test {
 
 constexpr double degree = std::numbers::pi / 180;
+constexpr double g_ = 9.80665;
 
 bool notes(const SolvedText& solved, const std::string& begin) {
   return std::ranges::any_of(solved.notes(), [&](const std::string& note) { return note.starts_with(begin); });
@@ -35,6 +36,44 @@ TEST(EndlessExtremes, ADampedSwingIsLargestAtItsStart) {
   EXPECT_NEAR(solved.number("least"), integrated<2>({40 * degree, 0}, before, 4000, slopes)[0], 1e-9);
   EXPECT_EQ(solved.reason("T"), "'th' does not repeat: it has no period");
   EXPECT_TRUE(notes(solved, "max(th) was told from "));
+}
+
+// Friction brings a block on a spring to rest after turning points that come nearer by 2 mu m g/k each, and a block
+// that slides without a spring where it has lost its energy: there, at the end that it reaches, it is farthest.
+TEST(EndlessExtremes, FrictionBringsToRest) {
+  const auto block = [](const std::string& start, const std::string& springs) {
+    return SolvedText(
+        "title: t\ngiven: {m: 2 kg, mu: 0.2}\npoints: {G: [0.19 m, 0, 0], O: [-1 m, 0, 0]}\n"
+        "bodies: {block: {particle: G, mass: m}}\ncontacts: {table: {of: block, at: G, normal: y, friction: mu}}\n" +
+        springs + "gravity: -y\ninstants: {start: {velocity(block): [" + start +
+        ", 0, 0], angular_velocity(block): [0, 0, 0]}}\nask: {left: min(center(block).x), right: max(center(block).x), "
+        "v: max(norm(velocity(block))), "
+        "T: period(center(block).x)}\n");
+  };
+  const SolvedText swings =
+      block("0 m/s", "springs: {coil: {at: O, to: block, end: G, stiffness: 200 N/m, free_length: 1 m}}\n");
+  const double by = 0.2 * 2 * g_ / 200;
+  EXPECT_NEAR(swings.number("left"), -(0.19 - 2 * by), 1e-9);
+  EXPECT_NEAR(swings.number("right"), 0.19, 1e-12);
+  EXPECT_NEAR(swings.number("v"), (0.19 - by) * 10, 1e-8);
+  EXPECT_EQ(swings.reason("T"), "'center(block).x' does not repeat: it has no period");
+  const SolvedText slides = block("3 m/s", "");
+  EXPECT_NEAR(slides.number("right"), 0.19 + 9 / (2 * 0.2 * g_), 1e-9);
+  EXPECT_NEAR(slides.number("left"), 0.19, 1e-12);
+}
+
+// A pendulum beside it goes on, so that nothing rests; and what is turned off later does not rest now.
+TEST(EndlessExtremes, WhatMovesOnIsNotAtRest) {
+  const SolvedText solved(
+      "title: t\npoints: {G: [0, 0, 0], P: [1 m, 0, 0], B: [1 m, -0.7 m, 0]}\n"
+      "bodies: {block: {particle: G, mass: 2 kg}, bob: {particle: B, mass: 1 kg}}\n"
+      "joints: {pin: {revolute: z, at: P, to: bob, angle: a}}\n"
+      "contacts: {table: {of: block, at: G, normal: y, friction: 0.2}}\ngravity: -y\n"
+      "instants: {start: {velocity(block): [3 m/s, 0, 0], a: 0.5 rad, a': 0}}\n"
+      "ask: {swing: max(a), T: period(a), right: max(center(block).x)}\n");
+  EXPECT_NEAR(solved.number("swing"), 0.5, 1e-9);
+  EXPECT_GT(solved.number("T"), 2 * std::numbers::pi * std::sqrt(0.7 / g_));
+  EXPECT_NE(solved.ask("right").state, AskState::found);
 }
 
 TEST(EndlessExtremes, AFlightIsHighestOnce) {
@@ -155,6 +194,22 @@ TEST(EndlessExtremes, MotionsOfSituations) {
   EXPECT_NEAR(solved.number("r"), full(80) / full(40), 1e-10);
   EXPECT_NEAR(solved.number("w"), -std::sqrt(2 * 9.81 / 0.9 * (std::cos(10 * degree) - std::cos(40 * degree))), 1e-9);
   EXPECT_NEAR(solved.number("M"), std::sqrt(2 * 9.81 / 0.9 * (1 - std::cos(80 * degree))), 1e-10);
+}
+
+// A block that holds a weight over the edge of a table by friction holds it for ever: what balanced forces leave of an
+// acceleration, 1e-16 m/s^2, once took 400,000 steps to be followed for some hours and carried the weight along.
+TEST(EndlessExtremes, WhatFrictionHoldsStaysWhereItIs) {
+  const SolvedText solved(
+      "title: t\npoints: {P: [0, 0, 0], Q: [3 m, 0, 0], W: [3 m, -1 m, 0], F: [3 m, -1.8 m, 0]}\n"
+      "bodies: {block: {particle: P, mass: 2 kg}, weight: {particle: W, mass: 0.4 kg}}\n"
+      "contacts: {table: {of: block, at: P, normal: y, friction: 0.25},\n"
+      "  floor: {of: weight, at: W, normal: y, open: true, surface: F}}\n"
+      "cords: {rope: {from: block, at: P, over: [Q], to: weight, end: W}}\ngravity: -y\n"
+      "instants: {start: rest, lands: {first_time: touching(floor)}}\n"
+      "ask: {x: center(block).x @ 8 s, y: center(weight).y @ 100000 s, t: time @ lands}\n");
+  EXPECT_EQ(solved.number("x"), 0);
+  EXPECT_EQ(solved.number("y"), -1);
+  EXPECT_TRUE(solved.reason("t").starts_with("touching(floor) does not happen up to ")) << solved.reason("t");
 }
 
 }  // namespace endless_extremes_test

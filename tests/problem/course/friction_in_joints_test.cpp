@@ -172,5 +172,41 @@ TEST(FrictionInJoints, TakesNoPartInABlow) {
   EXPECT_NEAR(solved.number("th"), 13.5, 1e-8);
 }
 
+// An end is looked for in spans that grow by twice: what happens just where one ends is not missed.
+TEST(FrictionInJoints, ChangesAtWholeNumbersOfSeconds) {
+  for (const double T : {1.0, 2.0, 3.0, 4.0, 8.0}) {
+    const SolvedText solved(fmt::format(
+        "given: {{I: 1 kg*m^2, c: 1 N*m/s, Q: {0} N*m, n: {1} rad/s}}\npoints: {{O: [0, 0, 0], P: [1 m, 0, 0]}}\n"
+        "bodies: {{driven: {{mass: 1 kg, center: O, inertia: {{axis: z, axial: I, transverse: I}}}}, "
+        "coasting: {{mass: 1 kg, center: P, inertia: {{axis: z, axial: I, transverse: I}}}}}}\n"
+        "joints: {{axle: {{revolute: z, at: O, to: driven, angle: q, rate: 0, couple: c*time, friction: Q}}, "
+        "shaft: {{revolute: z, at: P, to: coasting, angle: p, rate: n, friction: Q}}}}\ngravity: none\n"
+        "ask: {{t: {{first_time: sliding(axle)}}, w: \"q' @ {2} s\", s: {{first_time: sticking(shaft)}}, p: p @ 20 "
+        "s}}\n",
+        T, T * (T + 1), T + 3));
+    EXPECT_NEAR(solved.number("t"), T, 1e-9) << T;
+    EXPECT_NEAR(solved.number("w"), 4.5, 1e-9) << T;
+    EXPECT_NEAR(solved.number("s"), T + 1, 1e-9) << T;
+    EXPECT_NEAR(solved.number("p"), T * (T + 1) * (T + 1) / 2, 1e-8) << T;
+  }
+}
+
+// What is held by all of its friction at the start gives way at once to a load that grows, and holds one that does not.
+TEST(FrictionInJoints, AtItsLimitFromTheStart) {
+  const auto driven = [](const char* couple) {
+    return SolvedText(
+        fmt::format("given: {{I: 1 kg*m^2, c: 1 N*m/s, Q: 2 N*m}}\npoints: {{O: [0, 0, 0]}}\n"
+                    "bodies: {{wheel: {{mass: 1 kg, center: O, inertia: {{axis: z, axial: I, transverse: I}}}}}}\n"
+                    "joints: {{axle: {{revolute: z, at: O, to: wheel, angle: q, rate: 0, couple: {}, friction: "
+                    "Q}}}}\ngravity: none\n"
+                    "ask: {{w: \"q' @ 3 s\"}}\n",
+                    couple));
+  };
+  EXPECT_NEAR(driven("Q + c*time").number("w"), 4.5, 1e-9);
+  EXPECT_NEAR(driven("-Q - c*time").number("w"), -4.5, 1e-9);
+  EXPECT_NEAR(driven("Q - c*time/2").number("w"), 0, 1e-12);
+  EXPECT_NEAR(driven("Q + 0*c*time").number("w"), 0, 1e-12);
+}
+
 }  // namespace friction_in_joints_test
 }  // namespace poinsot::problem

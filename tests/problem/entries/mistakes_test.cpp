@@ -1329,6 +1329,20 @@ TEST(WithoutAnswer, ASlackCord) {
   EXPECT_EQ(found[1].state, AskState::found);
 }
 
+// The digit for the letter would be the origin, wherever the point is.
+TEST(WithoutAnswer, TheDigitIsNoPoint) {
+  const std::string bar =
+      "bodies: {bar: {particle: A, mass: 3 kg}}\ngravity: none\nask: {a: moment_of_inertia(bar about z at 0)}\n";
+  EXPECT_NE(failure_of([&] {
+              outcomes("title: t\npoints: {O: [1 m, 0, 0], A: [2 m, 0, 0]}\n" + bar);
+            }).find("0 is a number, and a point is meant here (write O, the letter, for the point of that name"),
+            std::string::npos);
+  EXPECT_NE(failure_of([&] {
+              outcomes("title: t\npoints: {A: [2 m, 0, 0]}\n" + bar);
+            }).find("write [0, 0, 0] for the origin"),
+            std::string::npos);
+}
+
 TEST(WithoutAnswer, AContactThatWouldPull) {
   const auto found =
       outcomes(head +
@@ -1336,7 +1350,8 @@ TEST(WithoutAnswer, AContactThatWouldPull) {
                "contacts: {floor: {of: ball, at: O, normal: y, carries: [push]}}\n"
                "joints: {g: {prismatic: y, to: ball, rate: 0 m/s}}\nask: {a: reaction(floor), b: mass(ball)}\n");
   EXPECT_EQ(found[0].state, AskState::refused);
-  EXPECT_EQ(found[0].reason, "the contact 'floor' would have to pull: it is lost");
+  EXPECT_EQ(found[0].reason,
+            "the contact 'floor' would have to pull: it is lost, if its normal points into 'ball' as it should");
   EXPECT_EQ(found[1].state, AskState::found);
 }
 

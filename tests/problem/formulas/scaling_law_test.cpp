@@ -296,6 +296,7 @@ TEST(LawShape, NumbersThatPeopleKnow) {
   EXPECT_EQ(known(2 * pi, 1e-12), "2*pi");
   EXPECT_EQ(known(-std::sqrt(2.0 / 3), 1e-12), "-sqrt(6)/3");
   EXPECT_EQ(known(pi * std::sqrt(1.5), 1e-12), "sqrt(6)*pi/2");
+  EXPECT_EQ(known(-std::sqrt(105.0) / 16, 1e-12), "-sqrt(105)/16");
   EXPECT_EQ(known(1 / pi, 1e-12), "1/pi");
   EXPECT_EQ(known(9.80665000002, 1e-11), "9.80665");
   EXPECT_EQ(known(0.807320586752, 1e-11), "");
@@ -313,6 +314,23 @@ TEST(LawShape, DigitsOfNumbers) {
   // Counted from the first digit of the largest.
   EXPECT_EQ(text(rounded(0.012345, 12.3, 6)), "0.0123");
   EXPECT_TRUE(rounded(1e-9, 1, 8).is_zero());
+}
+
+// A puck on a string through a hole, on which a weight hangs, comes nearest where it begins or at the other turning
+// point: by m v^2 against M g r, a bound of four letters beyond which, farther off, the string comes to its end.
+TEST(ScalingLaw, IsNotToldBeyondABoundCloseBy) {
+  const SolvedText solved(
+      "title: t\nletters: {m: kg, M: kg, r: m, v: m/s, h: m}\npoints: {O: [0, 0, 0], P: [r, 0, 0], W: [0, 0, -h]}\n"
+      "bodies: {puck: {particle: P, mass: m}, weight: {particle: W, mass: M}}\n"
+      "contacts: {table: {of: puck, at: P, normal: z}}\njoints: {guide: {prismatic: z, at: W, to: weight}}\n"
+      "cords: {string: {from: puck, at: P, over: [O], to: weight, end: W}}\ngravity: -z\n"
+      "instants: {start: {velocity(puck): [0, v, 0], velocity(weight): [0, 0, 0]}}\n"
+      "ask: {far: max(norm(center(puck)))}\n");
+  const SolvedAsk& far = solved.ask("far");
+  EXPECT_TRUE(!far.formula || !far.regimes.empty() ||
+              std::ranges::any_of(solved.solved().solutions[0].assumptions,
+                                  [](const std::string& words) { return words.find("'far'") != std::string::npos; }))
+      << formula(solved, "far");
 }
 
 }  // namespace scaling_law_test

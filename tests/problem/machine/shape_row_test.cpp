@@ -18,7 +18,8 @@ using Vector = Vector3<double>;
 
 TEST(ShapeRow, EveryShapeOfTheLanguageHasOne) {
   std::vector<std::string> kinds = keys_of("shape");
-  kinds.push_back("closed_cylinder_shell");
+  for (const char* by_arguments : {"closed_cylinder_shell", "annular_sector", "thick_sector"})
+    kinds.emplace_back(by_arguments);
   for (const std::string& kind : kinds) {
     const ShapeRow<double>& row = shape_row<double>(kind);
     EXPECT_NE(row.values, nullptr) << kind;

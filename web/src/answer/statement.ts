@@ -56,7 +56,8 @@ export function statementSection(page: PageData): HTMLElement {
   const data = page.situations.flatMap(given);
   return section(
     "Statement",
-    ...(model?.body ?? []),
+    // What it says of data stands below.
+    ...(model?.body ?? []).filter((node) => node.nodeName === "UL"),
     ...(data.length > 0 ? [element("h3", {}, "Given"), ...data] : []),
     ...asked(page),
   );

@@ -104,6 +104,8 @@ function arrowTitle(scene: Scene, stage: Stage): string {
 
 const speeds = [0.001, 0.003, 0.01, 0.03, 0.1, 0.25, 0.5, 1, 2, 4, 10, 30, 100, 1000, 10000, 100000];
 
+const eventsShown = 8; // without being asked for more
+
 class Player {
   readonly node: HTMLElement;
   readonly plots: PlotView[];
@@ -176,6 +178,19 @@ class Player {
       },
       "Instant of the statement",
     );
+    const events = motion.events.map((one) =>
+      element(
+        "button",
+        {
+          type: "button",
+          onclick: () => {
+            this.pause();
+            this.go(one.time);
+          },
+        },
+        `${rounded(one.time)} s: ${one.words}`,
+      ),
+    );
     this.node = element(
       "div",
       { class: "player" },
@@ -194,19 +209,15 @@ class Player {
         element(
           "div",
           { class: "controls", role: "group", "aria-label": "Events" },
-          ...motion.events.map((one) =>
+          ...events.slice(0, eventsShown),
+          // A ball that bounces has dozens.
+          events.length > eventsShown &&
             element(
-              "button",
-              {
-                type: "button",
-                onclick: () => {
-                  this.pause();
-                  this.go(one.time);
-                },
-              },
-              `${rounded(one.time)} s: ${one.words}`,
+              "details",
+              {},
+              element("summary", {}, `${events.length - eventsShown} more`),
+              ...events.slice(eventsShown),
             ),
-          ),
         ),
       !motion.complete &&
         element("p", { class: "verdict open" }, motion.stopped || "The motion was followed no further."),

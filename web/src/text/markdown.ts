@@ -37,6 +37,26 @@ function cells(line: string): string[] {
   return parts.map((part) => part.trim());
 }
 
+// A formula in words, as far as heads of columns have it: "I xy", "y bar".
+function spoken(formula: string): string {
+  return formula
+    .replace(/\\bar\{(\w)\}/g, "$1 bar")
+    .replace(/\\[a-z]+|[{}$]/g, "")
+    .replaceAll("_", " ")
+    .trim();
+}
+
+// In a formula no program that reads aloud finds a name for its column.
+function headCell(cell: string): HTMLElement {
+  if (!/^\$[^$]+\$$/.test(cell)) return element("th", { scope: "col" }, ...inline(cell));
+  return element(
+    "th",
+    { scope: "col" },
+    element("span", { "aria-hidden": "true" }, ...inline(cell)),
+    element("span", { class: "spoken" }, spoken(cell)),
+  );
+}
+
 function table(lines: string[]): Node {
   const [head = "", , ...rows] = lines;
   return scrolling(
@@ -44,11 +64,7 @@ function table(lines: string[]): Node {
     element(
       "table",
       {},
-      element(
-        "thead",
-        {},
-        element("tr", {}, ...cells(head).map((cell) => element("th", { scope: "col" }, ...inline(cell)))),
-      ),
+      element("thead", {}, element("tr", {}, ...cells(head).map(headCell))),
       element(
         "tbody",
         {},

@@ -95,7 +95,8 @@ export function arrowNode(
         .rotateX(Math.PI)
         .translate(0, 0, length),
     );
-  for (const piece of pieces) group.add(new Mesh(piece, material));
+  const behind = paints.hiddenArrow(arrow.quantity);
+  for (const piece of pieces) group.add(new Mesh(piece, material), new Mesh(piece, behind));
   group.quaternion.copy(new Quaternion().setFromUnitVectors(zAxis, new Vector3(...arrow.vector).normalize()));
   return group;
 }

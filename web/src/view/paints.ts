@@ -2,6 +2,7 @@
 import {
   Color,
   DoubleSide,
+  GreaterDepth,
   LineBasicMaterial,
   LineDashedMaterial,
   MeshBasicMaterial,
@@ -46,6 +47,7 @@ export class Paints {
   readonly curve = new LineBasicMaterial({ color: "#d55e00" });
   private readonly solids = new Map<string, MeshLambertMaterial>();
   private readonly arrows = new Map<string, MeshBasicMaterial>();
+  private readonly hiddenArrows = new Map<string, MeshBasicMaterial>();
 
   // What a body's matter looks like; what is added is darker, and what is cut out or has no mass lets the light
   // through.
@@ -68,6 +70,17 @@ export class Paints {
     return material;
   }
 
+  // Of what stands behind a body: it shines through.
+  hiddenArrow(quantity: string): MeshBasicMaterial {
+    let material = this.hiddenArrows.get(quantity);
+    if (!material) {
+      material = this.arrow(quantity).clone();
+      material.setValues({ transparent: true, opacity: 0.35, depthFunc: GreaterDepth, depthWrite: false });
+      this.hiddenArrows.set(quantity, material);
+    }
+    return material;
+  }
+
   arrow(quantity: string): MeshBasicMaterial {
     let material = this.arrows.get(quantity);
     if (!material) {
@@ -80,7 +93,7 @@ export class Paints {
   // In the dark, arrows are lighter.
   follow(ink: string, dark: boolean): void {
     for (const material of [this.edge, this.faintLine, this.ink]) material.color.set(ink);
-    for (const [quantity, material] of this.arrows) {
+    for (const [quantity, material] of [...this.arrows, ...this.hiddenArrows]) {
       material.color.set(arrowTones[quantity] ?? "#c1272d");
       if (dark) material.color.lerp(new Color("#ffffff"), 0.45);
     }

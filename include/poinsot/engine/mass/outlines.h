@@ -49,6 +49,8 @@ Outline annulus(const Point& center, const Point& normal, double outer_radius, d
 Outline semicircle(const Point& A, const Point& B, const Point& toward, int per_turn = usual_segments);
 Outline sector(const Point& center, const Point& normal, double radius, const Point& middle, double angle,
                int per_turn = usual_segments);
+Outline annular_sector(const Point& center, const Point& normal, double outer_radius, double inner_radius,
+                       const Point& middle, double angle, int per_turn = usual_segments);
 
 // Shells
 Outline box_shell_between(const Point& corner, const Point& opposite);
@@ -77,6 +79,8 @@ Outline tetrahedron(const Point& A, const Point& B, const Point& C, const Point&
 Outline prism(const std::vector<Point>& base, const Point& edge);
 Outline half_cylinder(const Point& A, const Point& B, double radius, const Point& toward,
                       int per_turn = usual_segments);
+Outline thick_sector(const Point& center, const Point& normal, double outer_radius, double inner_radius,
+                     const Point& middle, double angle, double thickness, int per_turn = usual_segments);
 Outline paraboloid(const Point& apex, const Point& base_center, double radius, int per_turn = usual_segments);
 
 // A closed mesh, moved by `at`. Edges are those at which its surface turns

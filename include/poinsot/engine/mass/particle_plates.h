@@ -84,4 +84,13 @@ ParticleSet<Scalar> sector(const Vector3<Scalar>& center, const Vector3<Scalar>&
   return gatherer.finish();
 }
 
+template <class Scalar>
+ParticleSet<Scalar> annular_sector(const Vector3<Scalar>& center, const Vector3<Scalar>& normal,
+                                   const Scalar& outer_radius, const Scalar& inner_radius,
+                                   const Vector3<Scalar>& middle_direction, const Scalar& angle) {
+  cubature::Gatherer<Scalar> gatherer;
+  gatherer.add_sector(center, {normal, middle_direction}, outer_radius, -angle / 2, angle / 2, inner_radius);
+  return gatherer.finish();
+}
+
 }  // namespace poinsot::particles

@@ -169,13 +169,14 @@ class Gatherer {
       add_circle(center, triad, radius, s.weight * (outer - inner) * 2 * std::numbers::pi_v<Scalar> * radius);
     }
   }
-  // Sector from angle `from` to `to` in the triad's first two vectors.
+  // Sector from angle `from` to `to` in the triad's first two vectors; beyond an inner radius, if there is one.
   void add_sector(const Vector3<Scalar>& center, const Triad<Scalar>& triad, const Scalar& radius, const Scalar& from,
-                  const Scalar& to) {
+                  const Scalar& to, const Scalar& inner = Scalar(0)) {
+    const Scalar wide = radius - inner;
     for (const auto& s : gauss<2, Scalar>()) {
       for (const auto& t : gauss<points_on_arc, Scalar>()) {
-        const Scalar r = s.at * radius;
-        add(center + r * triad.at_angle(from + t.at * (to - from)), s.weight * radius * t.weight * (to - from) * r);
+        const Scalar r = inner + s.at * wide;
+        add(center + r * triad.at_angle(from + t.at * (to - from)), s.weight * wide * t.weight * (to - from) * r);
       }
     }
   }

@@ -201,6 +201,26 @@ ParticleSet<Scalar> half_cylinder(const Vector3<Scalar>& A, const Vector3<Scalar
   return gatherer.finish();
 }
 
+// Sectors at two heights.
+template <class Scalar>
+ParticleSet<Scalar> thick_sector(const Vector3<Scalar>& center, const Vector3<Scalar>& normal,
+                                 const Scalar& outer_radius, const Scalar& inner_radius,
+                                 const Vector3<Scalar>& middle_direction, const Scalar& angle,
+                                 const Scalar& thickness) {
+  const cubature::Triad<Scalar> triad(normal, middle_direction);
+  const Scalar wide = outer_radius - inner_radius;
+  cubature::Gatherer<Scalar> gatherer;
+  for (const auto& s : cubature::gauss<2, Scalar>())
+    for (const auto& t : cubature::gauss<2, Scalar>())
+      for (const auto& u : cubature::gauss<cubature::points_on_arc, Scalar>()) {
+        const Scalar r = inner_radius + t.at * wide;
+        gatherer.add(
+            center + (s.at - Scalar(0.5)) * thickness * triad.third + r * triad.at_angle((u.at - Scalar(0.5)) * angle),
+            s.weight * thickness * t.weight * wide * r * u.weight * angle);
+      }
+  return gatherer.finish();
+}
+
 // Disks across the axis, whose radii squared grow with the distance from the apex.
 template <class Scalar>
 ParticleSet<Scalar> paraboloid(const Vector3<Scalar>& apex, const Vector3<Scalar>& base_center, const Scalar& radius) {

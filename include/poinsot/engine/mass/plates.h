@@ -142,4 +142,25 @@ ShapeProperties<Scalar> sector(const Vector3<Scalar>& center, const Vector3<Scal
                                Scalar(0.5) * square - across - distance * distance, across);
 }
 
+// The part of a sector between two radii R > r. With s = R + r and d = R - r distances from the center have the mean
+// (3 s^2 + d^2)/(6 s) and the variance d^2 (3 s^2 - d^2)/(36 s^2), so that nothing cancels in a narrow one; places on
+// the arc do not depend on them.
+template <class Scalar>
+ShapeProperties<Scalar> annular_sector(const Vector3<Scalar>& center, const Vector3<Scalar>& normal,
+                                       const Scalar& outer_radius, const Scalar& inner_radius,
+                                       const Vector3<Scalar>& middle_direction, const Scalar& angle) {
+  using std::sin;
+  const Vector3<Scalar> n = normalized(normal);
+  const Vector3<Scalar> middle = normalized(perpendicular_part(middle_direction, n));
+  const Scalar sum = outer_radius + inner_radius, difference = outer_radius - inner_radius;
+  const Scalar sums = sum * sum, differences = difference * difference;
+  const Scalar mean = (Scalar(3) * sums + differences) / (Scalar(6) * sum);
+  const Scalar variance = differences * (Scalar(3) * sums - differences) / (Scalar(36) * sums);
+  const Scalar half = Scalar(0.5) * detail::one_less_sinc(angle);  // the mean square of the sine along the arc
+  return detail::circular_part(Scalar(0.5) * sum * difference * angle, center, n, middle,
+                               mean * sin(Scalar(0.5) * angle) / (Scalar(0.5) * angle),
+                               variance * (Scalar(1) - half) + mean * mean * detail::arc_depth(angle),
+                               Scalar(0.25) * (sums + differences) * half);
+}
+
 }  // namespace poinsot::shapes

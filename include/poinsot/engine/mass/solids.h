@@ -172,6 +172,18 @@ ShapeProperties<Scalar> half_cylinder(const Vector3<Scalar>& A, const Vector3<Sc
   return detail::swept(end, edge, Scalar(end.measure * norm(edge)));
 }
 
+// A sector as thick as this along its axis, half on each side of the center; with an inner radius a piece of a tube.
+template <class Scalar>
+ShapeProperties<Scalar> thick_sector(const Vector3<Scalar>& center, const Vector3<Scalar>& normal,
+                                     const Scalar& outer_radius, const Scalar& inner_radius,
+                                     const Vector3<Scalar>& middle_direction, const Scalar& angle,
+                                     const Scalar& thickness) {
+  const Vector3<Scalar> edge = thickness * normalized(normal);
+  const ShapeProperties<Scalar> plate = annular_sector(Vector3<Scalar>(center - Scalar(0.5) * edge), normal,
+                                                       outer_radius, inner_radius, middle_direction, angle);
+  return detail::swept(plate, edge, Scalar(plate.measure * thickness));
+}
+
 // Paraboloid of revolution: centroid at 2/3 of the height from the apex; I = r^2/3 and r^2/6 + h^2/18.
 template <class Scalar>
 ShapeProperties<Scalar> paraboloid(const Vector3<Scalar>& apex, const Vector3<Scalar>& base_center,

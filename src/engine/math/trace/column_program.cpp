@@ -1,6 +1,7 @@
 #include "poinsot/engine/math/trace/column_program.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -222,12 +223,31 @@ void operate(Operation operation, const double* a, const double* b, int count, d
   }
 }
 
+void write(const double* from, bool negative, int count, double* to) {
+  if (negative)
+    operate(Operation::negate, from, from, count, to, to);
+  else
+    std::copy_n(from, count, to);
+}
+
+// Zero stays zero where a number is finite; else it becomes, and stays, no number.
+POINSOT_FOR_EACH_INSTRUCTION_SET
+void hold_finite(const double* number, int count, double* __restrict held) {
+  for (int i = 0; i < count; ++i) held[i] += number[i] * 0.0;
+}
+POINSOT_FOR_EACH_INSTRUCTION_SET
+void hold_positive(const double* number, double sign, int count, double* __restrict held) {
+  for (int i = 0; i < count; ++i) held[i] = sign * number[i] > 0 ? held[i] : std::numeric_limits<double>::quiet_NaN();
+}
+POINSOT_FOR_EACH_INSTRUCTION_SET
+void write_held(const double* held, int count, char* __restrict valid) {
+  for (int i = 0; i < count; ++i) valid[i] = static_cast<char>(held[i] == 0);
+}
+
 }  // namespace
 
-void ColumnProgram::evaluate(std::span<const double* const> inputs, std::size_t rows,
-                             std::span<double* const> outputs) const {
-  if (inputs.size() != inputs_ || outputs.size() != outputs_.size())
-    throw std::invalid_argument("ColumnProgram::evaluate: the number of columns is wrong");
+template <class Finish>
+void ColumnProgram::run(std::span<const double* const> inputs, std::size_t rows, const Finish& finish) const {
   std::vector<double> memory(blocks_ * block_rows);
   const auto block = [&](std::uint32_t index) { return memory.data() + index * block_rows; };
   for (const Constant& constant : constants_) std::fill_n(block(constant.block), block_rows, constant.value);
@@ -238,15 +258,40 @@ void ColumnProgram::evaluate(std::span<const double* const> inputs, std::size_t 
     };
     for (const Instruction& one : instructions_)
       operate(one.operation, at(one.first), at(one.second), count, block(one.result), block(one.second_result));
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
-      const double* const from = at(outputs_[k]);
-      double* const to = outputs[k] + start;
-      if (negative_outputs_[k])
-        operate(Operation::negate, from, from, count, to, to);
-      else
-        std::copy_n(from, count, to);
-    }
+    finish(start, count, at);
   }
+}
+
+void ColumnProgram::evaluate(std::span<const double* const> inputs, std::size_t rows,
+                             std::span<double* const> outputs) const {
+  if (inputs.size() != inputs_ || outputs.size() != outputs_.size())
+    throw std::invalid_argument("ColumnProgram::evaluate: the number of columns is wrong");
+  run(inputs, rows, [&](std::size_t start, int count, const auto& at) {
+    for (std::size_t k = 0; k < outputs.size(); ++k)
+      write(at(outputs_[k]), negative_outputs_[k], count, outputs[k] + start);
+  });
+}
+
+std::vector<char> ColumnProgram::evaluate_where_valid(std::span<const double* const> inputs, std::size_t rows,
+                                                      std::span<double* const> outputs) const {
+  if (inputs.size() != inputs_ || outputs.size() > outputs_.size())
+    throw std::invalid_argument("ColumnProgram::evaluate_where_valid: the number of columns is wrong");
+  std::vector<char> valid(rows);
+  std::array<double, block_rows> held{};
+  run(inputs, rows, [&](std::size_t start, int count, const auto& at) {
+    held.fill(0);
+    for (std::size_t k = 0; k < outputs_.size(); ++k) {
+      const double* const from = at(outputs_[k]);
+      if (k >= outputs.size()) {
+        hold_positive(from, negative_outputs_[k] ? -1 : 1, count, held.data());
+        continue;
+      }
+      write(from, negative_outputs_[k], count, outputs[k] + start);
+      hold_finite(from, count, held.data());
+    }
+    write_held(held.data(), count, valid.data() + start);
+  });
+  return valid;
 }
 
 }  // namespace poinsot

@@ -72,6 +72,7 @@ class CarriedBodies {
   }
   // Of the particle of a body that is at the place P at time j: the velocity there.
   Vector velocity_at(int body, const Vector& P, int j) const {
+    if (body == ground) return Vector::zero();
     const Displacement& now = displacement(body, j);
     const Vector own = transpose_times(now.turn, P - now.shift);
     Vector sum = Vector::zero();
@@ -348,13 +349,14 @@ Real worse(Real a, Real b) {
 
 }  // namespace
 
-double check_constraints(const std::vector<CheckLink>& links,
-                         const std::vector<VelocityConstraint<double>>& constraints, const ConstraintClaim& claim,
-                         const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a) {
-  if (constraints.empty()) return 0;
+namespace {
+
+// pace: in units of which rates are told. h: the step of the differences.
+Real misfit_by_steps(const std::vector<CheckLink>& links, const std::vector<VelocityConstraint<double>>& constraints,
+                     const ConstraintClaim& claim, const std::vector<double>& q, const std::vector<double>& v,
+                     const std::vector<double>& a, Real pace, Real h) {
   const Real length = claim.length;
-  const Real pace = std::max(drawn::pace_of(links, v, a, length), Real(claim.pace));
-  const CarriedBodies bodies(links, q, v, a, drawn::step_of_pace / (pace > 0 ? pace : 1));
+  const CarriedBodies bodies(links, q, v, a, h);
   const BoundFinder finder(bodies, constraints);
   Real worst = 0;
   for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -377,7 +379,25 @@ double check_constraints(const std::vector<CheckLink>& links,
       if (accelerations) worst = worse(worst, first_derivative(*bound.rate, bodies.h()) / (unit * pace * pace));
     }
   }
-  return static_cast<double>(worst);
+  return worst;
+}
+
+}  // namespace
+
+double check_constraints(const std::vector<CheckLink>& links,
+                         const std::vector<VelocityConstraint<double>>& constraints, const ConstraintClaim& claim,
+                         const std::vector<double>& q, const std::vector<double>& v, const std::vector<double>& a) {
+  if (constraints.empty()) return 0;
+  const Real pace = std::max(drawn::pace_of(links, v, a, claim.length), Real(claim.pace));
+  Real h = drawn::step_of_pace / (pace > 0 ? pace : 1);
+  Real misfit = misfit_by_steps(links, constraints, claim, q, v, a, pace, h);
+  // What goes round on a short cord beside a long one changes faster than the pace of the whole. A rate that does not
+  // vanish is the same by smaller steps.
+  constexpr Real good = 1e-10L, smaller = 0.1L;
+  constexpr int most_refinements = 3;
+  for (int k = 0; k < most_refinements && misfit > good; ++k)
+    misfit = std::min(misfit, misfit_by_steps(links, constraints, claim, q, v, a, pace, h *= smaller));
+  return static_cast<double>(misfit);
 }
 
 std::vector<ContactRate> contact_rates(const std::vector<CheckLink>& links, const std::vector<Constraint>& contacts,

@@ -8,13 +8,37 @@ namespace {
 
 constexpr Real whole_turn = 2 * std::numbers::pi_v<Real>;
 
-// Rodrigues' formula: the rotation by |angle_axis| about angle_axis.
+template <int of>
+constexpr Real part = Real(1) / of;
+struct SineCosine {
+  Real sine, cosine;
+};
+// Differences turn by little, where few terms of the series have all digits, in a part of the time.
+SineCosine sine_cosine(Real x) {
+  constexpr Real little = 0.125L;  // the first terms left out, x^13/13! and x^14/14!, are below 1e-21
+  if (std::abs(x) > little) return {std::sin(x), std::cos(x)};
+  const Real y = x * x;
+  return {
+      x * (1 - y * part<6> * (1 - y * part<20> * (1 - y * part<42> * (1 - y * part<72> * (1 - y * part<110>))))),
+      1 - y * part<2> *
+              (1 - y * part<12> * (1 - y * part<30> * (1 - y * part<56> * (1 - y * part<90> * (1 - y * part<132>)))))};
+}
+
+// Rodrigues' formula: the rotation by an angle about u, which has length one, R = I + sin [u] + (1 - cos) (u u^T - I).
+Matrix3<Real> rotation(const Vector& u, Real angle) {
+  if (angle == 0) return Matrix3<Real>::identity();
+  const auto [half, cosine] = sine_cosine(angle / 2);
+  const Real s = 2 * half * cosine, c = 2 * half * half;
+  const Real xy = c * u.x * u.y, yz = c * u.y * u.z, zx = c * u.z * u.x;
+  const Real xx = c * u.x * u.x, yy = c * u.y * u.y, zz = c * u.z * u.z;
+  return {{1 - (yy + zz), xy - s * u.z, zx + s * u.y},
+          {xy + s * u.z, 1 - (zz + xx), yz - s * u.x},
+          {zx - s * u.y, yz + s * u.x, 1 - (xx + yy)}};
+}
+
 Matrix3<Real> rotation(const Vector& angle_axis) {
   const Real angle = norm(angle_axis);
-  if (angle == 0) return Matrix3<Real>::identity();
-  const Matrix3<Real> K = cross_matrix(angle_axis / angle);
-  const Real half = std::sin(angle / 2);
-  return Matrix3<Real>::identity() + std::sin(angle) * K + (2 * half * half) * (K * K);
+  return angle == 0 ? Matrix3<Real>::identity() : rotation(angle_axis / angle, angle);
 }
 
 Matrix3<Real> attitude(const double* c) {
@@ -49,7 +73,7 @@ std::vector<Displacement> displacements(const std::vector<CheckLink>& links, con
         if (link.type == JointType::prismatic) {
           own.shift = x * u;
         } else {
-          own.turn = rotation(x * u);
+          own.turn = rotation(u, x);
           own.shift = A - own.turn * A;
           if (link.type == JointType::screw) own.shift += (x * Real(link.pitch)) * u;
         }
@@ -58,8 +82,11 @@ std::vector<Displacement> displacements(const std::vector<CheckLink>& links, con
       case JointType::ball:
       case JointType::free: {
         const int k = link.velocity;
-        const Matrix3<Real> now = attitude(&q[link.position]);
-        own.turn = now * rotation(Vector{travelled(k), travelled(k + 1), travelled(k + 2)});
+        const double* const turned = &q[link.position];
+        const bool as_drawn = turned[0] == 1 && turned[1] == 0 && turned[2] == 0 && turned[3] == 0;
+        const Matrix3<Real> now = as_drawn ? Matrix3<Real>::identity() : attitude(turned);
+        own.turn = rotation(Vector{travelled(k), travelled(k + 1), travelled(k + 2)});
+        if (!as_drawn) own.turn = now * own.turn;
         own.shift = A - own.turn * A;
         if (link.type == JointType::free) {
           own.shift += Vector{q[link.position + 4], q[link.position + 5], q[link.position + 6]};

@@ -195,15 +195,17 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
   const auto about_ground = [](const Wrench& wrench) {
     return PlacedForce<Scalar>{Vector::zero(), wrench.force, wrench.moment};
   };
-  // Every force acts on one body and, reversed, on another. Bodies that take no part have no equations.
-  const auto on_both = [&](const Action& action, const PlacedForce<Scalar>& placed, auto&& add) {
+  // Every force acts on one body and, reversed, on another. Bodies that take no part have no equations. at: where it
+  // acts, whose distance the rounding of its moment goes with, also where that vanishes: the pull of a cord between two
+  // particles, one of which lies at the origin.
+  const auto on_both = [&](const Action& action, const PlacedForce<Scalar>& placed, const Vector& at, auto&& add) {
     for (const auto& [body, sign] : {std::pair{action.on, Scalar(1)}, std::pair{action.from, Scalar(-1)}}) {
       if (body == ground || !mechanism.takes_part[static_cast<std::size_t>(body)]) continue;
       const std::size_t row = first_row[static_cast<std::size_t>(body)];
       const Vector& O = state.workspace().motion[static_cast<std::size_t>(body + 1)].p;
       const Vector about_origin = placed.couple + cross(Vector(placed.point - O), placed.force);
       const double force = norm(plain(placed.force));
-      const double couple = norm(plain(placed.couple)) + norm(plain(O)) * force;
+      const double couple = norm(plain(placed.couple)) + (norm(plain(O)) + norm(plain(at))) * force;
       for (std::size_t k = 0; k < 3; ++k) {
         add(row + k, sign * placed.force[k], rounding * force);
         add(row + 3 + k, sign * about_origin[k], rounding * couple);
@@ -215,18 +217,19 @@ LinearSystemOf<Scalar> motion_equations(const MechanismStateOf<Scalar>& state, c
   };
   std::size_t column = unknowns.accelerations;
   for (const Component<Scalar>& component : mechanism.components) {
-    on_both(action_of(component), about_ground(state.component_wrench(component)),
+    on_both(action_of(component), about_ground(state.component_wrench(component)), state.position(component.at),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   add_followed_components(system, mechanism, unknowns.accelerations, words.force_scale);
   for (std::size_t drive : unknowns.drive_of_effort) {
     on_both(action_of(mechanism.drives[drive]), about_ground(state.drive_wrench(mechanism.drives[drive])),
+            Vector::zero(),
             [&](std::size_t row, const Scalar& value, double error) { system.add(row, column, -value, error); });
     ++column;
   }
   for (const auto& [action, force] : state.known_forces())
-    on_both(mechanism.actions[static_cast<std::size_t>(action)], force,
+    on_both(mechanism.actions[static_cast<std::size_t>(action)], force, Vector::zero(),
             [&](std::size_t row, const Scalar& value, double) { system.add_right_side(row, value); });
 
   for (std::size_t i = 0; i < mechanism.constraints.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -95,12 +96,61 @@ TEST(ColumnProgram, EveryFunction) {
   }
 }
 
+// A case is valid where all results are finite and all conditions positive, for every number of these and of cases.
+TEST(ColumnProgram, TellsWhichCasesAreValid) {
+  std::mt19937_64 random(9);
+  const double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> kinds{0.3, 1.2, -0.7, 0, -0.0, infinity, -infinity, none, 1e300, 1e-310};
+  std::size_t valid_cases = 0, others = 0;
+  for (int run = 0; run < 200; ++run) {
+    Trace trace;
+    const TraceScope scope(trace);
+    const Traced x = trace.input(0.3), y = trace.input(0.4);
+    const std::vector<Traced> numbers{x * y, x / y, sqrt(x), -x, Traced(2), x - y, y, -(x * x), sqrt(y) + x};
+    std::vector<Traced> outputs;
+    auto several = std::uniform_int_distribution<std::size_t>(0, 4);
+    const std::size_t results = several(random), conditions = several(random);
+    for (std::size_t k = 0; k < results + conditions; ++k)
+      outputs.push_back(numbers[std::uniform_int_distribution<std::size_t>(0, numbers.size() - 1)(random)]);
+    const ColumnProgram program(StraightLine(trace, outputs));
+    const std::size_t rows = std::uniform_int_distribution<std::size_t>(1, 300)(random);
+    Columns inputs(program.input_count(), std::vector<double>(rows));
+    for (std::vector<double>& column : inputs)
+      for (double& number : column) {
+        const std::size_t kind = std::uniform_int_distribution<std::size_t>(0, 4 * kinds.size())(random);
+        number = kind < kinds.size() ? kinds[kind] : std::uniform_real_distribution<double>(0.1, 2)(random);
+      }
+    const Columns expected = evaluated(program, inputs, 0, rows);
+    Columns found(results, std::vector<double>(rows));
+    std::vector<const double*> from;
+    for (const std::vector<double>& column : inputs) from.push_back(column.data());
+    std::vector<double*> to;
+    for (std::vector<double>& column : found) to.push_back(column.data());
+    const std::vector<char> valid = program.evaluate_where_valid(from, rows, to);
+    ASSERT_EQ(valid.size(), rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+      bool holds = true;
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        holds = holds && (k < results ? std::isfinite(expected[k][row]) : expected[k][row] > 0);
+        if (k < results) {
+          EXPECT_EQ(std::memcmp(&found[k][row], &expected[k][row], sizeof(double)), 0) << run;
+        }
+      }
+      EXPECT_EQ(valid[row] != 0, holds) << run << ", case " << row;
+      (holds ? valid_cases : others) += 1;
+    }
+  }
+  EXPECT_GT(valid_cases, 1000U);
+  EXPECT_GT(others, 1000U);
+}
+
 TEST(ColumnProgram, ColumnsThatDoNotFitAreRefused) {
   Trace trace;
   const TraceScope scope(trace);
   const Traced x = trace.input(1);
   const ColumnProgram program(StraightLine(trace, {x * x}));
   EXPECT_THROW(program.evaluate({}, 3, {}), std::invalid_argument);
+  EXPECT_THROW(program.evaluate_where_valid({}, 3, {}), std::invalid_argument);
 }
 
 }  // namespace column_program_test

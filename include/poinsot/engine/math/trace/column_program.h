@@ -27,6 +27,10 @@ class ColumnProgram {
   // the outputs overlaps anything. Where a number does not exist (a root of less than zero) it is NaN.
   // std::invalid_argument if the number of columns is wrong.
   void evaluate(std::span<const double* const> inputs, std::size_t rows, std::span<double* const> outputs) const;
+  // The same where only the first outputs have columns, and the others are conditions, which are looked at and not
+  // kept. Returns of each case whether all of its numbers with columns are finite and all others are positive.
+  std::vector<char> evaluate_where_valid(std::span<const double* const> inputs, std::size_t rows,
+                                         std::span<double* const> outputs) const;
 
   // A place of a number of each case: an input, or a block of memory that is used again once its number is not needed
   // any more.
@@ -61,6 +65,10 @@ class ColumnProgram {
     std::uint32_t block = 0;
     double value = 0;
   };
+
+  // Calls finish(start, count, at) after each block of cases: at(place) is where its numbers stand.
+  template <class Finish>
+  void run(std::span<const double* const> inputs, std::size_t rows, const Finish& finish) const;
 
   std::vector<Constant> constants_;
   std::vector<Instruction> instructions_;
