@@ -65,8 +65,8 @@ class Course::Piece {
   // The event of a contact that is at its limit where the piece begins and goes beyond it on the way; nothing if none
   // is.
   std::optional<std::size_t> beyond_limit_from_start(const Trajectory& way);
-  // The cord or contact that is just about to give way or to catch where the piece begins, and would have to on the way;
-  // nothing if there is none.
+  // The cord or contact that is just about to give way or to catch where the piece begins, and would have to on the
+  // way; nothing if there is none.
   std::optional<std::size_t> changes_from_start(const Trajectory& way);
   // Whether a slip vanishes where the piece begins: the motion was followed so far before, and no further.
   bool slip_has_ended();
