@@ -48,6 +48,16 @@ class ShapeArguments {
     for (const Expression& item : items(name, count)) result.push_back(data_.place(item));
     return result;
   }
+  // The sides of a rectangle or box, of which people give the lengths alone.
+  std::vector<Vector> sides(std::size_t count) const {
+    for (const Expression& item : items("sides", count))
+      if (data_.value(item).is_number()) {
+        const std::string length = to_string(item);
+        fail(file(), item.mark(), "a side has a direction, and " + length + " is a length alone",
+             "write it as a vector: [" + length + ", 0, 0] along x");
+      }
+    return places("sides", count);
+  }
   std::vector<Vector> directions(const std::string& name, std::size_t count) const {
     std::vector<Vector> result;
     for (const Expression& item : items(name, count)) result.push_back(data_.direction(item));

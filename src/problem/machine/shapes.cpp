@@ -34,7 +34,7 @@ template <class Scalar>
 ShapeValues<Scalar> rectangle(const ShapeArguments<Scalar>& a) {
   if (a.has("sides")) {
     const auto center = a.place("center");
-    const auto sides = a.places("sides", 2);
+    const auto sides = a.sides(2);
     a.check(shape_faults::rectangle(a.owner(), plain(center), plain(sides[0]), plain(sides[1])));
     return a.values(Extent::area, shapes::rectangle(center, sides[0], sides[1]),
                     [&] { return particles::rectangle(plain(center), plain(sides[0]), plain(sides[1])); });
@@ -65,7 +65,7 @@ template <class Scalar>
 ShapeValues<Scalar> box(const ShapeArguments<Scalar>& a) {
   if (a.has("sides")) {
     const auto c = a.place("center");
-    const auto s = a.places("sides", 3);
+    const auto s = a.sides(3);
     a.check(shape_faults::box(a.owner(), plain(c), plain(s[0]), plain(s[1]), plain(s[2])));
     return a.values(Extent::volume, shapes::box(c, s[0], s[1], s[2]),
                     [&] { return particles::box(plain(c), plain(s[0]), plain(s[1]), plain(s[2])); });

@@ -44,6 +44,16 @@ ask: {a: mass(disk)}
 )",
        "test.yaml:3:46: error: unknown key 'diameter' in a disk (did you mean 'radius'?)",
        {}},
+      {"SidesByTheirLengths",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {crate: {box: {center: O, sides: [0.8 m, 1 m, 0.6 m]}, mass: 3 kg}}
+ask: {a: mass(crate)}
+)",
+       "test.yaml:3:43: error: a side has a direction, and 0.8 m is a length alone (write it as a vector: [0.8 m, 0, "
+       "0] "
+       "along x)",
+       {}},
       {"AJointOfOtherBooks",
        R"(title: t
 points: {O: [0, 0, 0]}
