@@ -146,6 +146,10 @@ RecordingBlock block_of(std::string_view bytes) {
     next.fastest_blows = read_numbers(in);
     next.told_blows = read_numbers(in);
     if (next.fastest_blows.size() != next.told_blows.size()) throw std::out_of_range("blows that are not told");
+    // Beyond that there are more than any motion is followed through.
+    constexpr double most_told = 1e6;
+    for (const double told : next.told_blows)
+      if (!(told >= 0 && told <= most_told)) throw std::out_of_range("a number of blows that no motion has");
     next.flight = in.f64();
   }
   expect_end(in);

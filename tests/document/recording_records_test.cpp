@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 namespace poinsot::document {
@@ -65,6 +66,11 @@ TEST(RecordingRecords, ReadBackAndRefuseWhatIsShorterOrLonger) {
   RecordingBlock last = record;
   last.block.next.reset();
   EXPECT_FALSE(block_of(to_bytes(last)).block.next);
+  for (const double told : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    RecordingBlock wrong = record;
+    wrong.block.next->told_blows[1] = told;
+    EXPECT_THROW(block_of(to_bytes(wrong)), std::out_of_range) << told;
+  }
 }
 
 TEST(RecordingRecords, ChecksumIsThatOfTheStandard) {
