@@ -230,6 +230,12 @@ class SolvedInstant {
   };
   Residuals check() const;
 
+  // The forces or impulses of cords and one-sided contacts among unknowns in which those of components begin at
+  // `first`.
+  std::vector<std::size_t> one_sided_unknowns(std::size_t first) const;
+  // The same for the contacts that stick.
+  std::vector<FrictionCone> friction_cones(std::size_t first) const;
+
  private:
   friend class VariedInstant;
   friend class ShakenInstant;
@@ -263,11 +269,6 @@ class SolvedInstant {
   // This motion as a steady one, told of a mechanism that must outlive it.
   solve::SteadyMotion steady_motion(const Mark& mark, Mechanism<double>& mechanism) const;
   void release(const std::vector<bool>& acting);
-  // The forces or impulses of cords and one-sided contacts among unknowns in which those of components begin at
-  // `first`.
-  std::vector<std::size_t> one_sided_unknowns(std::size_t first) const;
-  // The same for the contacts that stick.
-  std::vector<FrictionCone> friction_cones(std::size_t first) const;
   void turn_slips();
   double misfit_in_joint(const RoughContactOf<double>& contact) const;
   double misfit_on_cord(const RoughContactOf<double>& contact, double slip, double slip_rate, double force_size) const;

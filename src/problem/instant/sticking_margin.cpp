@@ -8,20 +8,11 @@ namespace poinsot::problem {
 
 std::optional<StickingForces> sticking_forces(const SolvedInstant& instant) {
   const Machine& machine = instant.machine();
+  for (const RoughContactOf<double>& contact : machine.rough_contacts)
+    if (contact.grip == Grip::sticks && (contact.of_belt || contact.on_cord() || contact.coordinate >= 0))
+      return std::nullopt;
   const std::size_t first = solve::force_unknowns(machine.mechanism).accelerations;
-  const std::vector<Component<double>>& components = machine.mechanism.components;
-  StickingForces forces;
-  for (std::size_t k = 0; k < components.size(); ++k)
-    if (components[k].one_sided) forces.one_sided.push_back(first + k);
-  for (const RoughContactOf<double>& contact : machine.rough_contacts) {
-    if (contact.grip != Grip::sticks) continue;
-    if (contact.of_belt || contact.on_cord() || contact.coordinate >= 0) return std::nullopt;
-    std::vector<std::size_t> own;  // the push and what is across it
-    for (std::size_t k = 0; k < components.size(); ++k)
-      if (components[k].action == contact.action) own.push_back(first + k);
-    if (own.size() != 2 && own.size() != 3) return std::nullopt;
-    forces.cones.push_back({own[0], own[1], own.size() == 3 ? std::optional(own[2]) : std::nullopt, contact.resting});
-  }
+  StickingForces forces{instant.one_sided_unknowns(first), instant.friction_cones(first)};
   if (forces.cones.empty()) return std::nullopt;
   return forces;
 }
