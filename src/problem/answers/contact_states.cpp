@@ -253,26 +253,15 @@ class ContactStates {
       return states;
     }
     DataScope<double> data(situation, settings_, 0);
-    const auto direction_of = [&](const Expression& expression) -> std::optional<Vector3<double>> {
-      try {
-        return data.direction(expression);
-      } catch (const StatementError&) {
-        return std::nullopt;  // It depends on an unknown, or is none.
-      }
-    };
-    const std::optional<Vector3<double>> n = direction_of(contact.normal);
-    std::vector<Expression> directions;
-    std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
-    for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
-    for (const std::string& text : names)
-      for (const bool opposite : {false, true}) directions.push_back(named_direction(text, opposite));
+    const std::optional<Vector3<double>> n = direction_told(data, contact.normal);
+    std::vector<Expression> directions = named_directions(situation);
+    const std::size_t named = directions.size();
     std::ranges::copy(lines_across(situation, contact), std::back_inserter(directions));
-    const std::size_t named = 2 * names.size();
     std::vector<Vector3<double>> known;
     for (std::size_t k = 0; k < directions.size(); ++k) {
       // Where the normal depends on an unknown, only lines across it that are told by it are sure to lie across it.
       if (n) {
-        const std::optional<Vector3<double>> d = direction_of(directions[k]);
+        const std::optional<Vector3<double>> d = direction_told(data, directions[k]);
         constexpr double rounding =
             1e-9;  // of directions that data tell: which lie across the normal, and which are one
         if (!d || std::abs(dot(*d, *n)) > rounding ||

@@ -13,6 +13,18 @@ namespace {
 
 constexpr double same_line = 1e-12;  // as unit vectors
 
+// Tells the slip of a state by the first of these expressions that is the same direction; false if none is.
+bool take_same(ContactState& state, const std::vector<Expression>& directions, DataScope<double>& data) {
+  const Vector3<double> d = data.direction(*state.slip);
+  for (const Expression& direction : directions) {
+    const std::optional<Vector3<double>> told = direction_told(data, direction);
+    if (!told || norm(*told - d) > same_line) continue;
+    state.slip = direction;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string words_of(const ContactState& state, const std::vector<double>& along) {
@@ -50,19 +62,26 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
   return words_of(state, {d.x, d.y, d.z});
 }
 
-bool name_direction(ContactState& state, const Situation& situation, const Settings& settings) {
-  DataScope<double> data(situation, settings, 0);
-  const Vector3<double> d = data.direction(*state.slip);
+std::vector<Expression> named_directions(const Situation& situation) {
   std::vector<std::string> names(situation.axes.begin(), situation.axes.end());
   for (const NamedExpression& direction : situation.directions) names.push_back(direction.name);
-  for (const std::string& text : names)
-    for (const bool opposite : {false, true}) {
-      const Expression named = named_direction(text, opposite);
-      if (norm(data.direction(named) - d) > same_line) continue;
-      state.slip = named;
-      return true;
-    }
-  return false;
+  std::vector<Expression> directions;
+  for (const std::string& name : names)
+    for (const bool opposite : {false, true}) directions.push_back(named_direction(name, opposite));
+  return directions;
+}
+
+std::optional<Vector3<double>> direction_told(DataScope<double>& data, const Expression& expression) {
+  try {
+    return data.direction(expression);
+  } catch (const StatementError&) {
+    return std::nullopt;
+  }
+}
+
+bool name_direction(ContactState& state, const Situation& situation, const Settings& settings) {
+  DataScope<double> data(situation, settings, 0);
+  return take_same(state, named_directions(situation), data);
 }
 
 bool name_line(ContactState& state, const Situation& situation, const Settings& settings) {
@@ -70,17 +89,7 @@ bool name_line(ContactState& state, const Situation& situation, const Settings& 
   const auto contact = std::ranges::find(situation.contacts, state.contact, &Contact::name);
   if (contact == situation.contacts.end()) return false;
   DataScope<double> data(situation, settings, 0);
-  const Vector3<double> d = data.direction(*state.slip);
-  for (const Expression& line : lines_across(situation, *contact)) {
-    try {
-      if (norm(data.direction(line) - d) > same_line) continue;
-    } catch (const StatementError&) {
-      continue;  // The normal is along this axis.
-    }
-    state.slip = line;
-    return true;
-  }
-  return false;
+  return take_same(state, lines_across(situation, *contact), data);
 }
 
 std::vector<Expression> lines_across(const Situation& situation, const Contact& contact) {

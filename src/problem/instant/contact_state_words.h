@@ -15,6 +15,11 @@ std::string words_of(const ContactState& state, const std::vector<double>& along
 // The same with numbers wherever the direction has no name.
 std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings);
 
+// The directions that have names, the axes and those of the file, each with its opposite.
+std::vector<Expression> named_directions(const Situation& situation);
+// What an expression tells of a direction; nothing if it depends on an unknown, or is none.
+std::optional<Vector3<double>> direction_told(DataScope<double>& data, const Expression& expression);
+
 // Gives a direction its name where it has one, for which formulas are exact; false if it has none.
 bool name_direction(ContactState& state, const Situation& situation, const Settings& settings);
 // The same; one without a name is told by the normal of its contact where it lies across an axis.
