@@ -162,8 +162,7 @@ std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>&
   if (!plastic) {
     const std::string told =
         "contacts that are struck at the same time and whose blows change each other's have them together, each with "
-        "its "
-        "restitution; with a gap between them, however small, one would follow the other";
+        "its restitution; with a gap between them, however small, one would follow the other";
     if (std::ranges::find(happenings_, told) == happenings_.end()) happenings_.push_back(told);
   }
   return meeting;
