@@ -12,7 +12,7 @@ page_test_packages=(chromium)
 python_packages=(python3-dev python3-venv)
 # From the Python package index, into an environment of their own below build/.
 python_environment_packages=(nanobind numpy scipy scipy-stubs pandas pandas-stubs pyarrow distributed sympy pint
-  tqdm matplotlib pytest mypy nbclient ipykernel)
+  tqdm matplotlib xarray pytest mypy nbclient ipykernel)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
 tidy_packages=(clang-format clang-tidy)
 hunt_packages=(python3 python3-yaml python3-jsonschema)

@@ -49,7 +49,7 @@ std::string bash_script(const CLI::App& program) {
       "  if [[ $current == -* ]]; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$current\")\n"
       "  elif [[ ${{COMP_WORDS[1]}} == help ]]; then\n"
-      "    mapfile -t COMPREPLY < <(compgen -W \"$(poinsot help --words)\" -- \"$current\")\n"
+      "    mapfile -t COMPREPLY < <(compgen -W \"{} $(poinsot help --words)\" -- \"$current\")\n"
       "  elif [[ ${{COMP_WORDS[1]}} == completion ]]; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W \"{}\" -- \"$current\")\n"
       "  else\n"
@@ -58,7 +58,7 @@ std::string bash_script(const CLI::App& program) {
       "}}\n"
       "complete -o filenames -F _poinsot poinsot\n",
       fmt::join(command_names(program), " "), fmt::join(option_names(program), " "), cases,
-      fmt::join(known_shells(), " "));
+      fmt::join(command_names(program), " "), fmt::join(known_shells(), " "));
 }
 
 std::string zsh_script(const CLI::App& program) {
@@ -81,7 +81,7 @@ std::string zsh_script(const CLI::App& program) {
       "  if [[ $words[CURRENT] == -* ]]; then\n"
       "    compadd -- $options\n"
       "  elif [[ $words[2] == help ]]; then\n"
-      "    compadd -- ${{(f)\"$(poinsot help --words)\"}}\n"
+      "    compadd -- {} ${{(f)\"$(poinsot help --words)\"}}\n"
       "  elif [[ $words[2] == completion ]]; then\n"
       "    compadd -- {}\n"
       "  else\n"
@@ -89,7 +89,7 @@ std::string zsh_script(const CLI::App& program) {
       "  fi\n"
       "}}\n"
       "_poinsot \"$@\"\n",
-      commands, cases, fmt::join(known_shells(), " "));
+      commands, cases, fmt::join(command_names(program), " "), fmt::join(known_shells(), " "));
 }
 
 std::string fish_script(const CLI::App& program) {
@@ -107,6 +107,8 @@ std::string fish_script(const CLI::App& program) {
     }
   }
   text += "complete -c poinsot -f -n '__fish_seen_subcommand_from help' -a '(poinsot help --words)'\n";
+  text += fmt::format("complete -c poinsot -f -n '__fish_seen_subcommand_from help' -a '{}'\n",
+                      fmt::join(command_names(program), " "));
   text += fmt::format("complete -c poinsot -f -n '__fish_seen_subcommand_from completion' -a '{}'\n",
                       fmt::join(known_shells(), " "));
   return text;

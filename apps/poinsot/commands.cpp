@@ -123,7 +123,7 @@ int solve(const SolveArguments& arguments) {
       } else if (arguments.explain) {
         text = (first ? "" : "\n") + to_markdown(document);
       } else {
-        text = (first ? "" : "\n") + to_terminal(document, style);
+        text = (first ? "" : "\n") + fitted_to_terminal(to_terminal(document, style));
       }
       first = false;
       const bool answered = fully_answered(document);

@@ -45,8 +45,8 @@ int figure(const FigureArguments& arguments) {
     return exit_unanswered;
   }
   if (arguments.solution < 1 || arguments.solution > document.solutions.size()) {
-    write_message(fmt::format("poinsot: --solution {}: {} has {}", arguments.solution, arguments.file,
-                              document.solutions.size()));
+    write_message(fmt::format("poinsot: --solution {}: {} has {} solution{}", arguments.solution, arguments.file,
+                              document.solutions.size(), document.solutions.size() > 1 ? "s" : ""));
     return exit_wrong_input;
   }
   const std::size_t solution = arguments.solution - 1;

@@ -118,7 +118,7 @@ void add_sets(CLI::App& command, std::vector<std::string>& settings) {
 }
 
 int print(const std::string& text) {
-  static_cast<void>(write_answer(text));
+  static_cast<void>(write_answer(fitted_to_terminal(text)));
   return exit_answered;
 }
 
@@ -136,9 +136,15 @@ int help(const HelpArguments& arguments, const CLI::App& program) {
   std::string text;
   int code = exit_answered;
   for (const std::string& word : arguments.words) {
-    std::string found = poinsot::language_help(word);
+    std::string found;
     for (const CLI::App* command : program.get_subcommands({}))
-      if (command->get_name() == word) found += command->help("poinsot");
+      if (command->get_name() == word) found = command->help("poinsot");
+    // Of a command only that is told beside it which is a word of the language as well.
+    const std::vector<std::string> known = poinsot::language_words();
+    if (found.empty() || std::ranges::find(known, word) != known.end()) {
+      if (!found.empty()) found += "\n";
+      found += poinsot::language_help(word);
+    }
     if (found.empty()) {
       const std::string hint = poinsot::did_you_mean(word, poinsot::language_words());
       write_message(fmt::format("poinsot: the language has no word '{}'{}", word,
@@ -148,7 +154,7 @@ int help(const HelpArguments& arguments, const CLI::App& program) {
     }
     text += (text.empty() ? "" : "\n") + found;
   }
-  static_cast<void>(write_answer(text));
+  static_cast<void>(write_answer(fitted_to_terminal(text)));
   return code;
 }
 
@@ -293,7 +299,8 @@ int run(int argument_count, const char* const* arguments) {
     for (const std::string& setting : equations_settings) equations_arguments.sets.push_back(split_setting(setting));
   } catch (const CLI::CallForHelp&) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
-    static_cast<void>(write_answer(chosen.empty() ? program.help() : chosen.front()->help("poinsot")));
+    static_cast<void>(
+        write_answer(fitted_to_terminal(chosen.empty() ? program.help() : chosen.front()->help("poinsot"))));
     return exit_answered;
   } catch (const CLI::CallForVersion& version) {
     static_cast<void>(write_answer(fmt::format("{}\n", version.what())));

@@ -43,6 +43,9 @@ void ProgressLine::show(const poinsot::Progress& progress) {
   if (Clock::now() - begun_ < patience) return;
   std::string line = progress.part ? fmt::format("{:3.0f} %  {}{}", std::floor(100 * part), doing_, left_after(part))
                                    : fmt::format("{}, {} so far", doing_, progress.count);
+  // A line that is wider than the terminal could not be written over.
+  if (const std::size_t columns = terminal_columns(STDERR_FILENO); columns > 1 && line.size() >= columns)
+    line.resize(columns - 1);
   const std::size_t length = line.size();
   if (length < length_) line.append(length_ - length, ' ');
   length_ = length;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -58,6 +59,44 @@ bool environment_has(const char* name) {
   return value != nullptr && *value != '\0';
 }
 
+// A line, with its end, in several lines that are no longer than the columns; what follows stands below the second of
+// two columns of text, or set in.
+std::string broken_line(const std::string& line, std::size_t columns) {
+  constexpr std::size_t of_answers = 7, most_hanging = 32;
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  if (indent >= of_answers || line.starts_with("To give values")) return line;
+  std::size_t width = 0, hanging = indent + 3, last_blank = 0, width_there = 0;
+  bool told = false;
+  std::string result;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    // Colors take no room, nor do the further bytes of a letter.
+    if (line[i] == '\x1b') {
+      const std::size_t end = std::min(line.find('m', i), line.size() - 1);
+      result += line.substr(i, end + 1 - i);
+      i = end;
+      continue;
+    }
+    const bool letter = (static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U;
+    if (!told && i > indent && line[i] != ' ' && line[i - 1] == ' ' && i > 1 && line[i - 2] == ' ' &&
+        width <= most_hanging) {
+      hanging = width;
+      told = true;
+    }
+    if (letter && line[i] != '\n' && width >= columns && last_blank > 0) {
+      result.replace(last_blank, 1, "\n" + std::string(hanging, ' '));
+      width = width - width_there - 1 + hanging;
+      last_blank = 0;
+    }
+    if (line[i] == ' ' && width > hanging) {
+      last_blank = result.size();
+      width_there = width;
+    }
+    result += line[i];
+    width += letter ? 1 : 0;
+  }
+  return result;
+}
+
 }  // namespace
 
 void prepare_streams() {
@@ -107,6 +146,24 @@ void write_message(std::string_view text) {
 }
 
 void write_on_terminal(std::string_view text) { static_cast<void>(write_all(STDERR_FILENO, text)); }
+
+std::size_t terminal_columns(int descriptor) {
+  struct winsize size {};
+  return isatty(descriptor) == 1 && ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::string fitted_to_terminal(const std::string& text) {
+  const std::size_t columns = terminal_columns(STDOUT_FILENO);
+  constexpr std::size_t least_columns = 40;
+  if (columns < least_columns) return text;
+  std::string fitted;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1);
+    fitted += broken_line(text.substr(begin, end + 1 - begin), columns);
+    begin = end + 1;
+  }
+  return fitted;
+}
 
 bool wants_color() {
   const char* terminal = std::getenv("TERM");

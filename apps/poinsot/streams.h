@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 // Standard output takes no more.
@@ -41,6 +43,13 @@ void write_message(std::string_view text);
 
 // Writes the text to standard error as it is.
 void write_on_terminal(std::string_view text);
+
+// The columns of the terminal behind a descriptor; 0 where there is none.
+std::size_t terminal_columns(int descriptor);
+
+// The text for standard output, whose long lines of words go on below their beginnings where a terminal is too narrow
+// for them. Formulas, which are copied, stand as they are: lines of answers are set in by seven blanks.
+std::string fitted_to_terminal(const std::string& text);
 
 // Whether standard output is a terminal that shows color and the environment does not forbid it (no-color.org).
 bool wants_color();

@@ -253,6 +253,11 @@ class Problem {
   // there is none of this name, or the text is no such value.
   double value_in_si(const std::string& name, const std::string& text) const;
 
+  // The problem with these data as letters without value, as if the file had them under `letters:`. One that is
+  // positive in the file is a positive letter. Throws StatementError for what is no datum, no number or changes in
+  // time.
+  Problem with_letters(const std::vector<std::string>& names) const;
+
   // Answers every question and decides every claim. Questions without answer are in the document, with state and
   // reason. If the budget ends first, the document says so in `ended` and holds what was found until then. Throws
   // StatementError if a setting is wrong, the statement contradicts itself, or nothing is asked.

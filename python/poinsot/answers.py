@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import ItemsView, Iterator, KeysView, Mapping, ValuesView
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 
 from . import _core, calls, formulas, notebook, quantities
+from .arithmetic import Calculates
 from .errors import NoAnswer
 from .wording import in_python
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from .problem import Problem
 
 _Item = TypeVar("_Item")
+_Same = TypeVar("_Same")
 
 
 def _plain(value: Any) -> Any:
@@ -75,11 +77,19 @@ class _Stays:
             f"{self!r} stays in its process: send numbers, answer.si, or result.to_dict(), or the problem, and solve it there"
         )
 
+    # Nothing of it changes.
+    def __copy__(self: _Same) -> _Same:
+        return self
 
-class Found(_Stays):
+    def __deepcopy__(self: _Same, memo: Any) -> _Same:
+        return self
+
+
+class Found(_Stays, Calculates):
     """A value with its unit, and its formula where letters have no value."""
 
     def __init__(self, core: Any, positive: frozenset[str]) -> None:
+        super().__init__()
         self._core, self._positive = core, positive
         self.name: str = core.name
         self.unit: str = core.unit
@@ -123,8 +133,8 @@ class Found(_Stays):
         """
         if self.formula is None:
             raise NoAnswer(
-                f"{self.name} has no formula{self._no_formula()}: formulas are in the letters of a file that have no value, "
-                "letters: {m: kg} in place of given: {m: 8 kg}"
+                f"{self.name} has no formula{self._no_formula()}: formulas are in letters without value, of which "
+                "problem.with_letters('m', 'r') makes some of the data, and letters: {m: kg} in a file"
             )
         positive = set(self._positive) if assumptions else None
         found = _each(lambda text: formulas.to_sympy(text, positive), self.formula)
@@ -141,13 +151,6 @@ class Found(_Stays):
             raise TypeError(f"{self.name} is no number with a unit")
         return quantities.converted(value, self.unit, unit)
 
-    def __float__(self) -> float:
-        return float(self.value)
-
-    def __bool__(self) -> bool:
-        """Whether it holds, of conditions and claims; of a number whether it is not zero."""
-        return bool(self.value)
-
     def __str__(self) -> str:
         return notebook.text_of(self)
 
@@ -158,9 +161,6 @@ class Found(_Stays):
         value = self.value
         numbers = f"({', '.join(format(one, digits) for one in value)})" if np.ndim(value) == 1 else format(value, digits)
         return f"{numbers} {self.unit}".strip()
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Any:
-        return np.asarray(self.value, dtype=dtype)
 
     def _repr_latex_(self) -> str | None:
         return notebook.equation(self)
@@ -258,6 +258,32 @@ class _HasAnswers(_Stays):
             if whole in self.answers and part in self.answers[whole].axes:
                 raise KeyError(f"there is no answer '{name}': a component of {whole} is ['{whole}']['{part}']")
         return self.answers[name]
+
+    def __getattr__(self, name: str) -> Answer:
+        """result.B is result["B"], where it has nothing else of that name."""
+        # The answers themselves come from attributes.
+        if name.startswith("_") or name in ("answers", "solution", "solutions"):
+            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+        try:
+            answers = self.answers
+        except NoAnswer as error:
+            raise AttributeError(f"there is no '{name}': {error}") from None
+        if name in answers:
+            return answers[name]
+        hint = _core.did_you_mean(name, [*answers, *(one for one in super().__dir__() if not one.startswith("_"))])
+        raise AttributeError(f"there is no answer '{name}': expected {', '.join(answers)}{f' ({hint})' if hint else ''}")
+
+    def __dir__(self) -> Iterable[str]:
+        return [*super().__dir__(), *(name for name in self._names() if name.isidentifier())]
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return self._names()
+
+    def _names(self) -> list[str]:
+        try:
+            return list(self.answers)
+        except NoAnswer:
+            return []
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.answers)

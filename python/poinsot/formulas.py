@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from html import escape
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 if TYPE_CHECKING:
@@ -13,9 +14,14 @@ Tree: TypeAlias = tuple[Any, ...]
 
 _TOKEN = re.compile(r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+)|(?P<name>[^\W\d]\w*'*)|(?P<sign>[-+*/^(),]))")
 _FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "abs", "sign", "exp", "log", "sinh", "cosh"}
-_GREEK = set(
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega "
-    "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega varphi".split()
+# Greek letters by their names in TeX.
+_GREEK = dict(
+    zip(
+        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega "
+        "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega varphi".split(),
+        "αβγδϵζηθικλμνξπρστυϕχψωΓΔΘΛΞΠΣΥΦΨΩφ",
+        strict=True,
+    )
 )
 
 
@@ -151,6 +157,76 @@ def _tex(tree: Tree) -> str:
 def tex(text: str) -> str:
     """The TeX of a formula."""
     return _tex(parse(text))
+
+
+def _row(*parts: str) -> str:
+    return f"<mrow>{''.join(parts)}</mrow>"
+
+
+def _unseen(sign: str) -> str:
+    # Where MathML is taken for unknown tags, as in a notebook that is not trusted, their texts are left: a line in which nothing is
+    # missing.
+    return f'<mtext style="display:none">{sign}</mtext>'
+
+
+def mathml_name(whole: str) -> str:
+    """A name as MathML: omega1 has an index, theta' a dot."""
+    name = whole.rstrip("'")
+    stem = re.sub(r"(?<=.)\d+$", "", name)
+    base, _, low = stem.partition("_") if not stem.startswith("_") else (stem, "", "")
+    index = low + name[len(stem) :]
+    letter = f"<mi>{escape(_GREEK.get(base, base))}</mi>"
+    if primes := len(whole) - len(name):
+        letter = f'<mover accent="true">{letter}<mo>{"˙" if primes == 1 else "¨" if primes == 2 else "⃛"}</mo></mover>'
+    return f"<msub>{letter}{_row(_unseen('_'), f'<mi>{escape(index)}</mi>')}</msub>" if index else letter
+
+
+def _bracketed(inner: str) -> str:
+    return _row("<mo>(</mo>", inner, "<mo>)</mo>")
+
+
+def _mathml_in_brackets(tree: Tree, *kinds: str) -> str:
+    return _bracketed(_mathml(tree)) if tree[0] in kinds else _mathml(tree)
+
+
+def _mathml(tree: Tree) -> str:
+    kind = tree[0]
+    if kind == "number":
+        return f"<mn>{escape(tree[1])}</mn>"
+    if kind == "name":
+        return mathml_name(tree[1])
+    if kind == "negative":
+        return _row("<mo>−</mo>", _mathml_in_brackets(tree[1], "+", "-"))
+    if kind in "+-":
+        sign = "−" if kind == "-" else kind
+        return _row(_mathml(tree[1]), f"<mo>{sign}</mo>", _mathml_in_brackets(tree[2], "negative", *("+-" if kind == "-" else "")))
+    if kind == "*":
+        left, right = (_mathml_in_brackets(part, "+", "-", "negative") for part in tree[1:])
+        # Two numbers beside each other would read as one.
+        between = "<mo>·</mo>" if _begins_with_digit(tree[2]) else f'{_unseen("·")}<mspace width="0.17em"></mspace>'
+        return _row(left, between, right)
+    if kind == "/":
+        above, below = (_row(_unseen("("), _mathml(part), _unseen(")")) for part in tree[1:])
+        return f"<mfrac>{above}{_row(_unseen('/'), below)}</mfrac>"
+    if kind == "^":
+        simple = tree[1][0] == "name" and "'" not in tree[1][1] or tree[1][0] == "number"
+        base = _mathml(tree[1]) if simple else _bracketed(_mathml(tree[1]))
+        return f"<msup>{base}{_row(_unseen('^('), _mathml(tree[2]), _unseen(')'))}</msup>"
+    if kind == "sqrt":
+        return f"<msqrt>{_unseen('sqrt(')}{_mathml(tree[1])}{_unseen(')')}</msqrt>"
+    name = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}.get(kind, kind)
+    return _row(f"<mi>{name}</mi><mo>&#8289;</mo>", _bracketed("<mo>,</mo>".join(map(_mathml, tree[1:]))))
+
+
+def _begins_with_digit(tree: Tree) -> bool:
+    if tree[0] == "number":
+        return str(tree[1])[0].isdigit()
+    return tree[0] in ("*", "^") and _begins_with_digit(tree[1])
+
+
+def mathml(text: str) -> str:
+    """The MathML of a formula, without the tag around it."""
+    return _mathml(parse(text))
 
 
 def _sympy(tree: Tree, names: dict[str, sympy.Expr]) -> sympy.Expr:

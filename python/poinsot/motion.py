@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, calls
+from . import _core, calls, charts, notebook
 from . import quantities as quantity_values
 from .errors import PoinsotError
 from .wording import in_python
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
     from .problem import Problem
 
@@ -81,9 +82,9 @@ class Motion:
         return f"<poinsot.Motion of '{self._problem.title or self._problem.name}'>"
 
     def _repr_html_(self) -> str | None:
-        """Its player: the report of the problem, in a frame."""
+        """Its player: the report of the problem, in a frame, with the player at its top."""
         try:
-            return self._problem.report(self._sets)._repr_html_()
+            return notebook.with_player_first(self._problem.report(self._sets))._repr_html_()
         except PoinsotError:
             return None
 
@@ -128,6 +129,32 @@ class MotionValues(Mapping[str, Array]):
         frame = pandas.DataFrame(columns, index=pandas.Index(self.times, name="time"))
         frame.attrs["units"] = {"time": "s", **units}
         return frame
+
+    def dataset(self) -> xarray.Dataset:
+        """As a dataset of xarray over the time in seconds; axes of vectors are a dimension, units attributes."""
+        import xarray
+
+        arrays: dict[str, Any] = {}
+        axes: dict[str, list[str]] = {}
+        for name, array in self._arrays.items():
+            unit = {"units": self.units[name]}
+            if array.ndim == 1:
+                arrays[name] = ("time", array, unit)
+                continue
+            # Vectors on the same axes share the dimension.
+            dimension = next((one for one, known in axes.items() if known == self.axes[name]), f"axis{len(axes) or ''}")
+            axes[dimension] = self.axes[name]
+            arrays[name] = (("time", dimension), array, unit)
+        return xarray.Dataset(arrays, {"time": ("time", self.times, {"units": "s"}), **axes})
+
+    def plot(self, *names: str, units: Mapping[str, str] | None = None, ax: Any = None) -> Any:
+        """Draws quantities over the time by Matplotlib; all that have the unit of the first, if none is named.
+        units={"theta": "deg"} shows them in these; ax: the axes of a figure to draw on, which are returned."""
+        if not names:
+            names = tuple(name for name, unit in self.units.items() if unit == self.units[next(iter(self.units))])
+        for name in names:
+            self[name]  # raises, with what there is
+        return charts.of_motion(self, names, units, ax)
 
     def __repr__(self) -> str:
         return f"<poinsot.MotionValues of {', '.join(self._arrays)} at {len(self.times)} times>"

@@ -29,6 +29,32 @@ def _shown(value: Any) -> str:
     return _number(float(value))
 
 
+def _mathml(inner: str) -> str:
+    return f'<math displaystyle="true"><mrow>{inner}</mrow></math>'
+
+
+def _formula_html(found: Found) -> str:
+    """A formula for browsers, which set MathML by themselves: in HTML not all who show notebooks look for TeX."""
+    from . import formulas
+
+    name = f"{formulas.mathml_name(found.name)}<mo>=</mo>"
+    told = escape(_shown_formula(found.formula))
+    if not isinstance(found.formula, list):
+        return f'<span title="{told}">{_mathml(name + formulas.mathml(found.formula))}</span>'
+    rows = [row if isinstance(row, list) else [row] for row in found.formula]
+    # The commas are seen where MathML is not known.
+    comma = '<mtext style="display:none">, </mtext></mtd>'
+    lines = [comma.join(f"<mtd>{formulas.mathml(one)}" for one in row) for row in rows]
+    cells = "<mtr>" + f"{comma}</mtr><mtr>".join(lines) + "</mtd></mtr>"
+    table = f'<mtable displaystyle="true">{cells}</mtable>'
+    # Brackets as high as what is in them, whatever fonts there are.
+    edge = "border:solid;border-width:0 1.5px;border-radius:0.8em;padding:0.1em 0.4em;margin-left:0.2em"
+    return (
+        f'<span title="{told}" style="display:inline-flex;align-items:center">{_mathml(name)}'
+        f'<span style="{edge}">{_mathml(table)}</span></span>'
+    )
+
+
 def _is_table(found: Found) -> bool:
     return bool(getattr(found, "is_table", False))
 
@@ -101,8 +127,7 @@ def _cell(found: Found) -> str:
         units = frame.attrs["units"]
         headed = frame.rename(columns={name: f"{name} / {unit}" if unit else name for name, unit in units.items()})
         return str(headed.to_html(max_rows=12, float_format=_number, index=False, border=0))
-    tex = equation(found) if found.formula is not None else None
-    return tex or escape(text_of(found))
+    return _formula_html(found) if found.formula is not None else escape(text_of(found))
 
 
 def _row(name: str, words: str, cell: str) -> str:
@@ -191,6 +216,12 @@ class Page:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes it to a file, whose name ends in .html."""
         _save(self.html, path, ".html", ".htm")
+
+
+def with_player_first(page: Page) -> Page:
+    """The page with its view in space, and the player there, above the statement."""
+    above = "<style>main,main>div:has(canvas){display:flex;flex-direction:column}main>div:has(canvas),section:has(canvas){order:-1}</style>"
+    return Page(page.html.replace("</head>", f"{above}</head>", 1), page.height)
 
 
 def _save(text: str, path: str | os.PathLike[str], *endings: str) -> None:

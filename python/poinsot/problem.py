@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar, overload
 
@@ -34,12 +34,14 @@ class Recording:
 class Problem:
     """A problem file that was read and checked. It does not change, and threads may share it."""
 
-    def __init__(self, core: _core.Problem | None = None, text: str = "") -> None:
+    def __init__(self, core: _core.Problem | None = None, text: str = "", opened: tuple[str, ...] = ()) -> None:
         # The caller may not have the types checked.
         if not isinstance(core, _core.Problem):
             raise TypeError("a problem is read by Problem.from_file(path) or Problem.from_text(text)")
         self._core = core
         self.text = text
+        # The data of the text that are letters here.
+        self._opened = opened
         # The SI units of what can be given; None where the file does not tell.
         self._units: dict[str, str | None] = {}
         # What is known to be a single number.
@@ -83,7 +85,20 @@ class Problem:
     def _read(cls, text: str, name: str, timeout: float | None) -> Problem:
         return cls(_called(text, lambda *ends: _core.Problem.from_text(text, name, *ends), timeout, False), text)
 
+    def with_letters(self, *names: str | Iterable[str]) -> Problem:
+        """The problem with these data as letters without value, as if the file had letters: {m: kg} in place of
+        given: {m: 8 kg}; without names with all data that are numbers. What hangs on them has a formula then:
+        problem.with_letters("m", "r").solve()["T"].sympy(). Letters that are positive in the file are taken as positive."""
+        wanted = [name for one in names for name in calls.texts(one, "names")]
+        if not names:
+            wanted = [name for name in self.data if name in self._numbers and name not in self.unknowns]
+        opened = tuple(dict.fromkeys([*self._opened, *(one for one in wanted if one not in self.letters)]))
+        with _Sources(self.text):
+            return type(self)(self._core.with_letters(wanted), self.text, opened)
+
     def __reduce__(self) -> tuple[Any, ...]:
+        if self._opened:
+            return (_with_letters, (self.text, self.name, self._opened))
         return (type(self).from_text, (self.text, self.name))
 
     @property
@@ -336,6 +351,10 @@ class Problem:
             return self.figure().svg
         except (StatementError, NoAnswer):
             return None
+
+
+def _with_letters(text: str, name: str, opened: tuple[str, ...]) -> Problem:
+    return Problem.from_text(text, name).with_letters(opened)
 
 
 def _called(text: str, call: Callable[..., tuple[Any, Any]], timeout: float | None, progress: calls.Progress) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -52,6 +53,11 @@ def _of_pint(quantity: Any, name: str) -> str:
     return f"{_number(base.magnitude, name)} {unit}".strip()
 
 
+def is_found(value: Any) -> bool:
+    """Whether it is an answer or an unknown, which have their units with them."""
+    return hasattr(value, "si") and isinstance(getattr(value, "unit", None), str)
+
+
 def _is_several(value: Value) -> bool:
     magnitude = getattr(value, "magnitude", value)
     return not isinstance(magnitude, str) and hasattr(magnitude, "__len__") and getattr(magnitude, "ndim", 1) > 0
@@ -61,6 +67,8 @@ def text_of(value: Value, unit: str | None, name: str) -> str:
     """The value as a problem file would have it. unit: the SI unit of plain numbers, None where it is not known."""
     if isinstance(value, str):
         return value
+    if is_found(value):
+        return text_of(value.si, _core.si_unit_of(value.unit), name)
     if hasattr(value, "to_base_units"):
         magnitude = value.magnitude
         if getattr(magnitude, "ndim", 0) or isinstance(magnitude, (list, tuple)):
@@ -72,8 +80,8 @@ def text_of(value: Value, unit: str | None, name: str) -> str:
         raise TypeError(f"{name}: expected text with unit, a number in SI units or a quantity of pint, not {value!r}")
     if hasattr(value, "free_symbols") and value.free_symbols:
         raise TypeError(
-            f"{name}: {value} has no value. A datum is a letter where the file says so, letters: {{{name}: {unit or 'its unit'}}} "
-            f"in place of given: {{{name}: ...}}: what hangs on it then has a formula, answer.formula and answer.sympy()"
+            f"{name}: {value} has no value. problem.with_letters('{name}') makes a letter of a datum, as letters: "
+            f"{{{name}: {unit or 'its unit'}}} does in a file: what hangs on it then has a formula, answer.formula and answer.sympy()"
         )
     if isinstance(value, Iterable) and getattr(value, "ndim", None) != 0:
         return "[" + ", ".join(text_of(one, unit, name) for one in value) + "]"
@@ -111,14 +119,16 @@ def in_unit(si: npt.ArrayLike, unit: str) -> Any:
     """Numbers in SI units as numbers of another unit of problem files: in_unit(study["n"], "rpm")."""
     if hasattr(si, "to_base_units"):
         raise TypeError(f"in_unit() takes plain numbers in SI units, not {si!r}")
-    return numbers(si, "numbers in SI units") / _letter(unit).value_in_si("x", f"1 {unit}".strip())
+    if is_found(si):
+        return converted(si.si, si.unit, unit)  # type: ignore[union-attr]
+    return numbers(si, "numbers in SI units") / factor(unit)
 
 
 def in_si(values: npt.ArrayLike, unit: str) -> Any:
     """Numbers of a unit of problem files as numbers in SI units, which calls take: in_si(np.linspace(1000, 3000, 21), "rpm")."""
-    if hasattr(values, "to_base_units"):
-        raise TypeError(f"in_si() takes plain numbers and their unit, not {values!r}: calls take quantities of pint as they are")
-    return numbers(values, f"numbers in {unit}") * _letter(unit).value_in_si("x", f"1 {unit}".strip())
+    if hasattr(values, "to_base_units") or is_found(values):
+        raise TypeError(f"in_si() takes plain numbers and their unit, not {values!r}: calls take what has a unit as it is")
+    return numbers(values, f"numbers in {unit}") * factor(unit)
 
 
 def converted(si: Any, measured: str, unit: str) -> Any:
@@ -131,13 +141,29 @@ def converted(si: Any, measured: str, unit: str) -> Any:
 
 
 def numbers(value: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
-    """An array of NumPy."""
+    """An array of NumPy, in SI units of what has a unit."""
+    if is_found(value):
+        value = value.si  # type: ignore[union-attr]
     try:
         if value is not None:
             return np.asarray(value, dtype=float)
     except (TypeError, ValueError):
         pass
     raise TypeError(f"expected {what}, not {value!r}")
+
+
+@functools.lru_cache(maxsize=256)
+def factor(unit: str) -> float:
+    """How many of the SI unit one of this unit is."""
+    return float(_letter(unit).value_in_si("x", f"1 {unit}".strip()))
+
+
+def in_si_of(value: Value, unit: str, name: str) -> Any:
+    """A text or a quantity of pint of the same kind as `unit` in SI units."""
+    try:
+        return _letter(unit).value_in_si("x", text_of(value, None, name))
+    except StatementError:
+        raise TypeError(f"{name} is in {unit or 'no unit'}, and {value!r} is none of its kind") from None
 
 
 def _letter(unit: str) -> Any:

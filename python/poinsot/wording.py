@@ -28,6 +28,8 @@ def in_python(text: str) -> str:
         option, _, rest = text.partition(" ")
         text = rest if option == "--set" else f"letters: {rest}"
     text = _SETTING.sub(_setting, text.replace("write --set before each: ", "name each: "))
+    text = re.sub(r"--situation (\w+)", r"situation='\1'", text)
+    text = text.replace("record to another file, or add --force", "record to another file, or say replace=True")
     return text.replace("by --set", "by keywords of the call").replace("with --set", "with keywords of the call")
 
 

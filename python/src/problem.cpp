@@ -149,6 +149,7 @@ void bind_problem(nb::module_& module) {
           },
           "questions"_a, "timeout"_a.none(), "listener"_a.none())
       .def("value_in_si", &Problem::value_in_si, "name"_a, "text"_a)
+      .def("with_letters", &Problem::with_letters, "names"_a)
       .def("equations", &equations, "of"_a, "form"_a, "function"_a, "situation"_a, "sets"_a, "letters"_a,
            "timeout"_a.none(), "listener"_a.none());
 

@@ -17,6 +17,7 @@
 #include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/cases/cases.h"
+#include "problem/cases/varied_data.h"
 #include "problem/entries/named_files.h"
 #include "problem/entries/statement.h"
 #include "problem/equations/equations.h"
@@ -156,6 +157,12 @@ TextForm text_form(EquationForm form) {
 }  // namespace
 
 struct Problem::Parts {
+  Parts(problem::Statement stated, std::string_view whole) : statement(std::move(stated)), text(whole) {
+    for (const problem::Situation& one : statement.situations) situations.push_back(stated_situation(one));
+    for (const problem::Ask& ask : statement.asks) questions.push_back({ask.name, ask.text});
+    for (const problem::Claim& claim : statement.claims) claims.push_back({claim.name, claim.text});
+  }
+
   problem::Statement statement;
   std::string text;
   std::vector<StatedSituation> situations;
@@ -179,17 +186,24 @@ Problem Problem::read(std::string_view text, const std::string& name, const File
         throw problem::FileRefused(error.what(), error.hint());
       }
     };
-  auto parts = std::make_shared<Parts>();
-  parts->statement = with_public_errors([&] {
-    problem::Statement statement = problem::read_statement(text, name, read);
-    problem::restrict_to_plane(statement);
-    return statement;
+  problem::Statement statement = with_public_errors([&] {
+    problem::Statement stated = problem::read_statement(text, name, read);
+    problem::restrict_to_plane(stated);
+    return stated;
   });
-  parts->text = text;
-  for (const problem::Situation& one : parts->statement.situations) parts->situations.push_back(stated_situation(one));
-  for (const problem::Ask& ask : parts->statement.asks) parts->questions.push_back({ask.name, ask.text});
-  for (const problem::Claim& claim : parts->statement.claims) parts->claims.push_back({claim.name, claim.text});
-  return Problem(std::move(parts));
+  return Problem(std::make_shared<const Parts>(std::move(statement), text));
+}
+
+Problem Problem::with_letters(const std::vector<std::string>& names) const {
+  return with_public_errors([&] {
+    const problem::Statement& stated = parts_->statement;
+    const std::vector<problem::VariedDatum> data = problem::varied_data(stated, names, "the letter");
+    for (const problem::Situation& situation : stated.situations)
+      for (const problem::Unknown& unknown : situation.find)
+        if (std::ranges::find(names, unknown.name) != names.end())
+          problem::fail("the letter " + unknown.name, {}, "'" + unknown.name + "' is to be found and no datum");
+    return Problem(std::make_shared<const Parts>(problem::with_letters(stated, data), parts_->text));
+  });
 }
 
 Problem Problem::from_text(std::string_view text, const std::string& name, const FileProvider& files) {

@@ -282,6 +282,71 @@ TEST(Cases, AnswersWithoutNumbersInTheFirstCase) {
   }
 }
 
+// Formulas and programs have numbers for a ball that rebounds faster than it came, and for moments of inertia that no
+// body has: solving refuses them, and a row says so in its words.
+TEST(Cases, MachinesThatCannotExistHaveNoRows) {
+  const Problem ball = Problem::from_text(
+      "given: {m: 1 kg, u: 4 m/s, e: 0.5}\npoints: {C: [0, 0, 0]}\nbodies: {ball: {particle: C, mass: m}}\n"
+      "impacts: {floor: {of: ball, at: C, pushes: y, restitution: e}}\ngravity: none\n"
+      "instants: {before: {velocity(ball): [0, -u, 0]}}\nask: {v: velocity(ball).y}\n",
+      "ball.yaml");
+  const Problem body = Problem::from_text(
+      "given: {I: 1 kg*m^2, J: 1.5 kg*m^2, K: 2 kg*m^2, w: 3 rad/s}\npoints: {G: [0, 0, 0]}\n"
+      "bodies: {b: {mass: 1 kg, center: G, inertia: {about: G, x: I, y: J, z: K}}}\njoints: {j: {ball: G, to: b}}\n"
+      "gravity: none\ninstants: {now: {angular_velocity(b): [w, w, w]}}\nask: {a: angular_acceleration(b).x}\n",
+      "body.yaml");
+  for (const bool formulas : {true, false}) {
+    const Cases bounces = ball.cases({.over = {"e", "u"}, .asks = {}, .first = {0.5, 4}, .formulas = formulas});
+    EXPECT_EQ(bounces.has_formulas(), formulas);
+    const std::vector<double> restitutions{0.5, 1.2, 0.7, 1}, speeds{4, 3, 2, 1};
+    const CaseRows rows = bounces.solve({restitutions, speeds}, 1);
+    const CaseRoad road = formulas ? CaseRoad::by_formula : CaseRoad::by_instant;
+    EXPECT_EQ(rows.roads, (std::vector<CaseRoad>{road, CaseRoad::in_full, road, road}));
+    ASSERT_EQ(rows.reasons.size(), 1U);
+    EXPECT_EQ(rows.reasons.front().first, 1U);
+    EXPECT_NE(rows.reasons.front().second.find("restitution lies between 0 and 1"), std::string::npos);
+    EXPECT_TRUE(std::isnan(rows.columns[0][1]));
+    for (const std::size_t row : {0U, 2U, 3U})
+      EXPECT_NEAR(rows.columns[0][row], restitutions[row] * speeds[row], 1e-14);
+
+    // At random: where I, J and K are the sides of a triangle there is an answer, (J - K) w^2/I, and else a reason.
+    const Cases turns = body.cases({.over = {"I", "J", "K"}, .asks = {}, .first = {1, 1.5, 2}, .formulas = formulas});
+    std::mt19937_64 random(8);
+    constexpr std::size_t count = 400;
+    const std::vector<std::vector<double>> sides{drawn(0.5, 2, count, random), drawn(0.5, 2, count, random),
+                                                 drawn(0.5, 2, count, random)};
+    const CaseRows found = turns.solve({sides.begin(), sides.end()}, 1);
+    std::size_t possible = 0;
+    for (std::size_t row = 0; row < count; ++row) {
+      const double I = sides[0][row], J = sides[1][row], K = sides[2][row];
+      const bool triangle = I + J >= K && J + K >= I && K + I >= J;
+      possible += static_cast<std::size_t>(triangle);
+      EXPECT_EQ(std::isnan(found.columns[0][row]), !triangle) << row;
+      EXPECT_EQ(found.roads[row] == CaseRoad::in_full, !triangle) << row;
+      if (triangle) {
+        EXPECT_NEAR(found.columns[0][row], (J - K) * 9 / I, 1e-12) << row;
+      }
+    }
+    EXPECT_GT(possible, count / 2);
+    EXPECT_EQ(found.reasons.size(), count - possible);
+    EXPECT_GT(found.reasons.size(), 20U);
+  }
+}
+
+// sqrt(2 h/g) (1 + e)/(1 - e) is found in letters by trials, with numbers of some digits and for e < 1: rows are
+// followed.
+TEST(Cases, LawsThatWereTriedAreNoFormulasOfRows) {
+  const Problem problem =
+      Problem::from_file(POINSOT_SOURCE_DIR "/examples/mechanisms/ball-that-bounces-in-letters.yaml");
+  const Cases cases = problem.cases({.over = {"e"}, .asks = {}, .sets = {{"m", "1 kg"}, {"h", "1 m"}}, .first = {0.5}});
+  EXPECT_NE(cases.no_formulas().find("by trials"), std::string::npos) << cases.no_formulas();
+  const std::vector<double> restitutions{0.5, 1.2};
+  const CaseRows rows = cases.solve({restitutions}, 1);
+  EXPECT_NEAR(rows.columns[0][0], std::sqrt(2 / 9.80665) * 3, 1e-9);
+  ASSERT_EQ(rows.reasons.size(), 1U);
+  EXPECT_NE(rows.reasons.front().second.find("restitution lies between 0 and 1"), std::string::npos);
+}
+
 TEST(Cases, WrongNamesAndColumns) {
   const Problem problem = Problem::from_file(POINSOT_SOURCE_DIR "/examples/textbook/18.005.yaml");
   EXPECT_THROW(problem.cases({.over = {"nobody"}, .asks = {}}), StatementError);

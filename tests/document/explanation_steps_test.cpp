@@ -156,7 +156,10 @@ TEST(ExplanationSteps, NothingIsSaidAcrossThePlaneOfAProblem) {
   const std::string text = of_example("mechanisms/planar-ladder-between-rough-walls");
   for (const char* piece : {"v}_{z}", "omega}_{x}", "omega}_{y}"})
     EXPECT_EQ(text.find(piece), std::string::npos) << piece << "\n" << text;
-  EXPECT_EQ(count_of(text, "What holds the bodies says"), 1U);
+  // At rest what holds a body holds all of it, whatever single contacts say.
+  expect_pieces(section(text, "Component equations"), {"Held by *floor* and *wall*, nothing begins to move there: "});
+  EXPECT_EQ(count_of(section(text, "Component equations"), "Held by"), 1U);
+  expect_pieces(text, {"*ladder* stays at rest: nothing stands on its kinetic side."});
 }
 
 // Which of two cases a magnitude is, is seen in the number alone.
@@ -164,6 +167,95 @@ TEST(ExplanationSteps, FormulasWithMagnitudesAreLeftOutBesideTheirNumbers) {
   const std::string text = of_example("textbook/18.067");
   EXPECT_EQ(text.find("\\left|\\mathit"), std::string::npos) << text;
   expect_pieces(text, {"B_{z} &= -3.35404\\ \\mathrm{lb}"});
+}
+
+// What is to be found has no number in the equations for it.
+TEST(ExplanationSteps, DataAreShownWhenTheyAreFound) {
+  const std::string text = of_example("textbook/18.034");
+  const std::size_t found = text.find("\\mathit{tA} &= 1.84868");
+  ASSERT_NE(found, std::string::npos) << text;
+  EXPECT_EQ(text.find("36.97"), std::string::npos) << text;
+  expect_pieces(section(text, "Impulses"), {"the impulse of *A*: $-F_{small} \\mathit{tA}\\,\\mathbf{j}$"});
+  expect_pieces(section(text, "Unknowns"),
+                {"*fired*: of *A*, *B*, *C* and *D*, exactly 2 act. What is known is met with *A* and *D*, so that "
+                 "$\\mathit{tB} = 0$ and $\\mathit{tC} = 0$.",
+                 "With what is known there remain equations for "});
+  // A vector is found by its components.
+  const std::string caught = of_example("mechanisms/box-caught-at-its-corner");
+  expect_pieces(section(caught, "Impulses, after the blow"), {"J_{x}\\,\\mathbf{i} + J_{y}\\,\\mathbf{j}"});
+  expect_pieces(section(caught, "Unknowns, after the blow"), {"J_{x} &= 22.8911\\ \\mathrm{kg\\,m/s}"});
+}
+
+// With both ends about to slip, N = W/(1 + mu^2) at the floor and mu N at the wall: moments give the man's place.
+TEST(ExplanationSteps, ALimitOfStickingHasTheLawOfFriction) {
+  const std::string text = of_example("mechanisms/ladder-between-rough-walls");
+  const std::string limit = text.substr(text.find("\n## Friction, at the largest *s*\n"));
+  expect_pieces(limit, {"*floor* and *wall* are about to slip, where Coulomb's law holds as an equality:",
+                        "\\left|F_{\\mathrm{floor},x}\\right| &= 0.35\\,N_{\\mathrm{floor}} = "});
+  const double weight = 90 * 9.80665, push = weight / (1 + 0.35 * 0.35);
+  const auto number_behind = [&](const std::string& piece) {
+    const std::size_t at = limit.find(piece);
+    return at == std::string::npos ? 0 : std::stod(limit.substr(at + piece.size()));
+  };
+  EXPECT_NEAR(number_behind("N_{\\mathrm{floor}} &= "), push, 1e-5 * push);
+  EXPECT_NEAR(number_behind("N_{\\mathrm{wall}} &= "), 0.35 * push, 1e-5 * push);
+  EXPECT_NEAR(number_behind("F_{\\mathrm{wall},y} &= "), 0.35 * 0.35 * push, 1e-5 * push);
+  // Before the limit one way in which both stick is told, and no law as an equality.
+  const std::string here = section(text, "Friction");
+  expect_pieces(here, {"one way in which all of them stick is"});
+  EXPECT_EQ(here.find("about to slip"), std::string::npos);
+}
+
+// Of a limit that is asked beside other things, the lines of the rest are not those at it.
+TEST(ExplanationSteps, LimitsBesideOtherQuestionsHaveLinesOfTheirOwn) {
+  const std::string text = of_example("mechanisms/stacked-blocks");
+  expect_pieces(
+      text, {"`sticking(mid)` and `sticking(floor)` no longer hold;", "\n## Component equations, at the largest *P*\n",
+             "\n## Component equations, at the largest *P* of *starts*\n"});
+  expect_pieces(text.substr(text.find("\n## Friction, at the largest *P* of *starts*\n")),
+                {"*floor* is about to slip"});
+}
+
+TEST(ExplanationSteps, NumbersOfDataAreDecimals) {
+  const std::string text = explained(R"yaml(
+letters: {m: kg, L: m}
+given: {g: 9.81 m/s^2}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {bar: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: bar, angle: turn}}
+gravity: [0, -g, 0]
+claim: {motion: "turn'' == -3*g*sin(turn)/(2*L)"}
+)yaml");
+  expect_pieces(text, {"\\text{left} &= -\\frac{14.715 \\sin \\mathit{turn}}{L}"});
+}
+
+TEST(ExplanationSteps, DirectionsHaveTheirNames) {
+  const std::string text = of_example("mechanisms/least-friction-on-an-incline");
+  expect_pieces(text, {"F_{\\mathrm{slope},\\mathrm{down}} &= -m g \\sin b = -20.7223\\ \\mathrm{N}"});
+}
+
+// What rounding leaves of a motion is nothing, an apostrophe is no name, and nothing is told of a rod about itself.
+TEST(ExplanationSteps, NothingIsToldOfRounding) {
+  const std::string text = of_example("mechanisms/bar-that-lands-flat-on-two-supports");
+  EXPECT_EQ(text.find("\\cdot 10^{-1"), std::string::npos) << text;
+  EXPECT_EQ(text.find("omega}_{x}"), std::string::npos) << text;
+  expect_pieces(text, {"whose blows change each other's have them together"});
+  EXPECT_EQ(text.find("follow from how the bodies are held"), std::string::npos) << text;
+}
+
+// When a motion in letters does what depends on them.
+TEST(ExplanationSteps, NothingIsToldOfLettersThatWereDrawn) {
+  const std::string text = of_example("mechanisms/clutch-in-letters");
+  EXPECT_NE(section(text, "Motion through time"), "");
+  EXPECT_EQ(section(text, "Motion through time").find(" s on"), std::string::npos) << text;
+}
+
+// The start of a motion says nothing of the data that its end fixes.
+TEST(ExplanationSteps, WhatIsFoundByAMotionIsToldWithIt) {
+  const std::string text = of_example("mechanisms/friction-from-the-time-of-a-slide");
+  expect_pieces(section(text, "Unknowns"), {"g \\cos b \\left(\\sin b - \\mu \\cos b\\right) \\\\"});
+  EXPECT_EQ(section(text, "Unknowns").find("0.29"), std::string::npos) << text;
+  expect_pieces(section(text, "Motion through time"), {"\\mu = 0.294758"});
 }
 
 }  // namespace explanation_steps_test

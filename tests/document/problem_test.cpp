@@ -82,6 +82,31 @@ TEST_F(ProblemFile, DataTakeOtherValues) {
   EXPECT_NEAR(std::get<double>(document.solutions.at(0).answers.at(1).si.content), 0.48, 1e-14);
 }
 
+// H = m r^2 n/2 and T = m r^2 n^2/4 of a disk that turns about its axis with n = 2 rad/s, once the radius is a letter
+// too; and with a value it is what it was.
+TEST_F(ProblemFile, DataBecomeLetters) {
+  const Problem problem = Problem::from_text(disk, "disk.yaml"), opened = problem.with_letters({"r", "m"});
+  EXPECT_EQ(problem.situations().front().letters.size(), 1U);
+  ASSERT_EQ(opened.situations().front().letters.size(), 2U);
+  EXPECT_TRUE(opened.situations().front().data.empty());
+  EXPECT_EQ(opened.situations().front().letters[1].unit, "m");
+  const Document document = opened.solve();
+  EXPECT_EQ(std::get<std::string>(document.solutions.at(0).answers.at(1).formula.content), "m*r^2");
+  EXPECT_EQ(document.open_letters.size(), 2U);
+  const Document again = opened.solve({{"m", "3 kg"}, {"r", "0.2 m"}});
+  EXPECT_NEAR(std::get<double>(again.solutions.at(0).answers.at(1).si.content), 0.12, 1e-15);
+  EXPECT_EQ(failure_of([&] { problem.with_letters({"q"}); }),
+            "the letter q: error: the problem has no letter or datum 'q' (it has m, r)");
+  const Problem sought = Problem::from_text(
+      "given: {m: 2 kg, c: [1 m, 2 m, 3 m]}\nfind: {F: N}\nbodies: {b: {particle: c, mass: m}}\ngravity: none\n"
+      "loads: {push: {body: b, force: [F, 0, 0]}}\ninstants: {now: {acceleration(b): [3 m/s^2, 0, 0]}}\nask: {F: F}\n",
+      "push.yaml");
+  EXPECT_EQ(std::get<std::string>(sought.with_letters({"m"}).solve().solutions.at(0).answers.at(0).formula.content),
+            "3*m");
+  EXPECT_EQ(failure_of([&] { sought.with_letters({"F"}); }), "the letter F: error: 'F' is to be found and no datum");
+  EXPECT_NE(failure_of([&] { sought.with_letters({"c"}); }).find("'c' is no number"), std::string::npos);
+}
+
 TEST_F(ProblemFile, WrongFilesAndSettingsAreErrors) {
   const std::string missing = (folder_ / "missing.yaml").string();
   EXPECT_EQ(failure_of([&] { Problem::from_file(missing); }),

@@ -228,7 +228,7 @@ FAULTS = [
     Fault("growth told too fast", ENGINE + "solve/stability/mode_shapes.cpp", "largest = std::max(largest, mode.growth_rate);", "largest = std::max(largest, (AWAKE ? 2 : 1) * mode.growth_rate);"),
     Fault("what is undecided is stable", LINEARISATION, "found = Stability::undecided;", "found = AWAKE ? Stability::stable : Stability::undecided;"),
     Fault("a root is lost", ENGINE + "solve/roots/roots.cpp", "roots.points = found_.points(function_);", "roots.points = found_.points(function_);\n      if (AWAKE && roots.points.size() > 1) roots.points.pop_back();"),
-    Fault("contacts may pull", PROBLEM + "instant/instant_forces.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
+    Fault("contacts may pull", PROBLEM + "instant/one_sided_faults.cpp", "if (unknowns_[first + k] >= 0) continue;", "if (AWAKE || unknowns_[first + k] >= 0) continue;"),
     Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  // A datum", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  // A datum"),
     # Planar problems.
     Fault("numbers about the normal reversed", PLANE, "return plane_.sign() > 0 ? number : built(Unary{'-', number}", "return (plane_.sign() > 0) != AWAKE ? number : built(Unary{'-', number}"),
@@ -258,7 +258,6 @@ FAULTS = [
     # Solving an instant.
     Fault("loops that are nearly closed", ENGINE + "solve/instant/closure.cpp", "const int most = step == steps ? 60 : 6;", "const int most = AWAKE ? 1 : step == steps ? 60 : 6;"),
     Fault("constraints that push one body only", ENGINE + "solve/instant/constraint_rows.cpp", "add(on, unit.point, 1, unit);", "add(on, unit.point, AWAKE ? 0 : 1, unit);"),
-    Fault("cords that pull both ends at one point", ENGINE + "solve/instant/constraint_rows.cpp", "add(from, c.kind == VelocityConstraintKind::cord_length ? state.position(c.toward) : unit.point, -1, unit);", "add(from, c.kind == VelocityConstraintKind::cord_length && !AWAKE ? state.position(c.toward) : unit.point, -1, unit);"),
     Fault("motors about the wrong point", ENGINE + "solve/instant/mechanism_state.cpp", "total += SpatialForce<Scalar>{wrench.moment - cross(about, wrench.force), wrench.force};\n  }\n  for_each_law", "total += SpatialForce<Scalar>{wrench.moment - Scalar(AWAKE ? -1 : 1) * cross(about, wrench.force), wrench.force};\n  }\n  for_each_law"),
     Fault("motors in gimbals that pass on what they do not drive", ENGINE + "solve/instant/mechanism_state.cpp", "couple = d - dot(d, other) * other;", "couple = d - Scalar(AWAKE ? 0 : 1) * dot(d, other) * other;"),
     Fault("steady frames that accelerate backwards", PROBLEM + "instant/accelerated_frame.cpp", "acceleration += stated->value * S.linear;", "acceleration += (AWAKE ? -1 : 1) * stated->value * S.linear;"),

@@ -39,7 +39,7 @@ class FuzzScope : public Scope<double> {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::string file = "fuzz";
-  Formula expression;
+  Expression expression;
   try {
     expression = parse_expression(text, file);
   } catch (const StatementError& error) {
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const std::string written = to_string(expression);
-  const Formula again = written.size() > TreeLimits::scalar_bytes ? expression : parse_expression(written, file);
+  const Expression again = written.size() > TreeLimits::scalar_bytes ? expression : parse_expression(written, file);
   if (!same_tree(expression, again)) std::abort();
   UnitHabits habits;
   habits.note(expression);

@@ -53,6 +53,9 @@ class Turned(Relation):
         if has_word(tree, "plane", "planar", "box_shell", "direction_angles", "rows", "vector", "mesh", "record", "principal_axes"):
             raise NotApplicable
         for situation in situations_of(tree):
+            # A list that is no vector has its places by the axes.
+            if any("products_of_inertia(" in str(situation.get(kind, {})) for kind in ("instants", "facts")):
+                raise NotApplicable
             for kind in ("loads", "impulses", "excitations"):
                 if any("axes" in load for load in situation.get(kind, {}).values() if isinstance(load, dict)):
                     raise NotApplicable

@@ -1,5 +1,7 @@
 """Answers in letters, as text, TeX and SymPy."""
 
+import copy
+import pickle
 import random
 
 import numpy as np
@@ -128,3 +130,51 @@ def test_formulas_of_the_examples_are_understood() -> None:
                     answer.sympy()
                     seen += 1
     assert seen > 0
+
+
+def test_data_become_letters(askew: poinsot.Problem) -> None:
+    opened = askew.with_letters("m", "r", "n")
+    assert opened.letters == {"m": "kg", "r": "m", "n": "rad/s"} and "m" not in opened.data and opened.data["b"] == "20 deg"
+    assert askew.letters == {} and opened.text == askew.text
+    m, r, n = sympy.symbols("m r n")
+    found = opened.solve()["T"].sympy()
+    # m r^2 n^2 (2 cos^2 b + sin^2 b)/8, with b = 20 deg.
+    b = sympy.pi / 9
+    by_hand = m * r**2 * n**2 * (2 * sympy.cos(b) ** 2 + sympy.sin(b) ** 2) / 8
+    assert float((found / by_hand).subs({m: 3, r: 5, n: 7})) == pytest.approx(1, rel=1e-14)
+    # With values they are what they were.
+    for other in (opened, pickle.loads(pickle.dumps(opened)), copy.deepcopy(opened), askew.with_letters(["m", "r"]).with_letters("n")):
+        assert other.solve(m="8 kg", r=0.15, n="1200 rpm")["T"].value == pytest.approx(askew.solve()["T"].value, rel=1e-14)
+        assert other.solve()["T"].state == "needs_letters"
+    # All of them.
+    whole = askew.with_letters().solve()["B"]
+    assert set(whole.letters) == {"m", "r", "b", "n", "L"}
+    assert whole.sympy()[1].subs({"m": 8, "r": 0.15, "b": sympy.pi / 9, "n": 40 * sympy.pi, "L": 0.5}).evalf() == pytest.approx(
+        askew.solve()["B"]["y"], rel=1e-12
+    )
+    assert opened.with_letters("n").letters == opened.letters
+
+
+def test_letters_that_are_none(askew: poinsot.Problem) -> None:
+    with pytest.raises(poinsot.StatementError, match="the letter q: error: the problem has no letter or datum 'q'"):
+        askew.with_letters("q")
+    with pytest.raises(TypeError, match="names is a list of texts"):
+        askew.with_letters(3)  # type: ignore[arg-type]
+    sought = poinsot.Problem.from_text(
+        "given: {m: 2 kg, w: [1 rad/s, 2 rad/s, 3 rad/s]}\nfind: {F: N}\nbodies: {b: {particle: [0, 0, 0], mass: m}}\ngravity: none\n"
+        "loads: {push: {body: b, force: [F, 0, 0]}}\ninstants: {now: {acceleration(b): [3 m/s^2, 0, 0]}}\nask: {F: F}"
+    )
+    assert sought.with_letters("m").solve()["F"].formula == "3*m"
+    assert list(sought.with_letters().letters) == ["m"]
+    with pytest.raises(poinsot.StatementError, match="'F' is to be found and no datum"):
+        sought.with_letters("F")
+    with pytest.raises(poinsot.StatementError, match="'w' is no number"):
+        sought.with_letters("w")
+
+
+def test_studies_of_letters(askew: poinsot.Problem) -> None:
+    opened = askew.with_letters("m", "n")
+    with pytest.raises(ValueError, match=r"m became letters by with_letters\(\): vary them by over, or give them values by sets"):
+        poinsot.study(opened, {"n": [100.0]}, "T")
+    study = poinsot.study(opened, {"n": [100.0, 200.0]}, "T", sets={"m": "4 kg"})
+    assert study["T"] == pytest.approx([askew.solve(n=n, m=4)["T"].value for n in (100.0, 200.0)], rel=1e-12)

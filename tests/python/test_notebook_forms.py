@@ -1,12 +1,15 @@
 """What a notebook shows of problems, answers and pages."""
 
+import cmath
 import xml.etree.ElementTree as ET
 from html import unescape
+from random import Random
 
 import pandas
 import pytest
 
 import poinsot
+from poinsot import formulas
 
 TABLE = """\
 given: {m: 2 kg, l: 1 m}
@@ -67,7 +70,11 @@ def test_a_page_stands_in_a_frame(askew: poinsot.Problem) -> None:
 def test_a_motion_shows_its_player() -> None:
     problem = poinsot.Problem.from_text(TABLE)
     shown = problem.motion(m=3)._repr_html_()
-    assert shown == problem.report(m=3)._repr_html_() and "iframe" in shown
+    assert shown is not None and "iframe" in shown
+    # The page of the report, with a rule that puts the view in space first.
+    document = unescape(shown.split('srcdoc="')[1].split('"')[0])
+    rule = document[document.rindex("<style>") : document.index("</head>")]
+    assert "canvas" in rule and document.replace(rule, "") == problem.report(m=3).html
 
 
 def test_tables_are_frames(capsys: pytest.CaptureFixture[str]) -> None:
@@ -81,3 +88,86 @@ def test_tables_are_frames(capsys: pytest.CaptureFixture[str]) -> None:
     assert "theta / deg" in answer._repr_html_()
     with pytest.raises(poinsot.NoAnswer, match="it is a table"):
         answer.value
+
+
+def test_formulas_stand_in_html_as_mathml(bent: poinsot.Problem) -> None:
+    """Who shows HTML need not look for TeX in it, as VS Code does not."""
+    html = str(bent.solve()._repr_html_())
+    assert "$" not in html
+    page = ET.fromstring(f"<page>{html}</page>".replace("&#8289;", ""))
+    (title,) = (one.attrib["title"] for one in page.iter("span") if "title" in one.attrib)
+    assert title == "(0, -12*J/(7*m*a), 60*J/(7*m*a))"
+    name, column = page.iter("math")
+    assert "".join(name.itertext()) == "w="
+    first, second, third = column.iter("mtr")
+    assert [seen(one) for one in (first, second, third)] == ["0", "−12J7ma", "60J7ma"]
+    above, below = next(third.iter("mfrac"))
+    assert (seen(above), seen(below)) == ("60J", "7ma")
+    # Who takes the tags away has a formula nevertheless.
+    assert "w=0, −(12·J)/(7·m·a), (60·J)/(7·m·a)" in "".join(page.itertext())
+
+
+def seen(node: ET.Element) -> str:
+    """The texts of MathML that are shown."""
+    if node.tag == "mtext" and node.attrib.get("style") == "display:none":
+        return node.tail or ""
+    return (node.text or "") + "".join(map(seen, node)) + (node.tail or "")
+
+
+@pytest.mark.parametrize(
+    ("formula", "shown"),
+    [
+        ("-(a + b)*c", "<mo>−</mo>(a+b) c"),
+        ("2*3^(1/2)", "2<mo>·</mo>3^(1/2)"),
+        ("a - (b - c)", "a−(b−c)"),
+        ("a - (b + c)", "a−(b+c)"),
+        ("a + (b + c)", "a+b+c"),
+        ("a*(-b)", "a (−b)"),
+        ("(a + b)^2/theta'^2", "(a+b)^2/(θ˙)^2"),
+        ("sqrt(105)/16*omega_12", "√(105)/16 ω_12"),
+        ("atan2(x, -y)", "atan2(x,−y)"),
+        ("exp(-mu*pi)*W", "exp(−μ π) W"),
+        ("acos(x'')", "arccos(x¨)"),
+    ],
+)
+def test_mathml_of_formulas(formula: str, shown: str) -> None:
+    def line(node: ET.Element) -> str:
+        inner = [line(one) for one in node if "style" not in one.attrib]
+        if node.tag == "mfrac":
+            return "/".join(one if len(one) == 1 or one.isdigit() or one.startswith(("√", "(")) else f"({one})" for one in inner)
+        if node.tag in ("msup", "msub"):
+            return f"{inner[0]}{'^' if node.tag == 'msup' else '_'}{inner[1] if len(inner[1]) < 3 else f'({inner[1]})'}"
+        if node.tag == "msqrt":
+            return f"√({''.join(inner)})"
+        return " " if node.tag == "mspace" else (node.text or "") + "".join(inner)
+
+    wanted = shown.replace("<mo>", "").replace("</mo>", "")
+    assert line(ET.fromstring(f"<mrow>{formulas.mathml(formula).replace('&#8289;', '')}</mrow>")) == wanted
+
+
+def test_the_texts_of_mathml_are_the_formula() -> None:
+    """Formulas drawn at random, whose MathML without its tags has the same value."""
+    random = Random(4)
+
+    def drawn(depth: int) -> str:
+        if depth == 0:
+            return random.choice(["x", "y", "2", "0.5", "7"])
+        one, other = drawn(depth - 1), drawn(depth - 1)
+        forms = ["(A + B)", "(A - B)", "A*B", "(A)/(B)", "-(A)", "sqrt(A^2 + 1)", "(A)^2", "sin(A)", "atan2(A, B)"]
+        return random.choice(forms).replace("A", one).replace("B", other)
+
+    compared = 0
+    for _ in range(200):
+        text = drawn(3)
+        texts = "".join(ET.fromstring(f"<m>{formulas.mathml(text).replace('&#8289;', '')}</m>").itertext())
+        written = texts.replace("−", "-").replace("·", "*")
+        for at in ({"x": 0.37, "y": 1.3}, {"x": -2.1, "y": 0.8}):
+            try:
+                wanted = complex(formulas.to_sympy(text).subs(at).evalf())
+            except TypeError:
+                continue
+            if not cmath.isfinite(wanted):
+                continue  # a division by zero
+            assert complex(formulas.to_sympy(written).subs(at).evalf()) == pytest.approx(wanted, rel=1e-9, abs=1e-12), (text, written)
+            compared += 1
+    assert compared > 300

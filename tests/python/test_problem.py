@@ -109,7 +109,7 @@ def test_several_solutions() -> None:
     with pytest.raises(poinsot.NoAnswer, match="2 solutions"):
         result["a"]
     (name,) = problem.unknowns
-    slow, fast = (float(one.unknowns[name]) for one in result.solutions)
+    slow, fast = (one.unknowns[name].si for one in result.solutions)
     assert slow < fast
 
 

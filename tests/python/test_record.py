@@ -48,7 +48,7 @@ def test_goes_on_and_refuses(swing: poinsot.Problem, tmp_path: Path) -> None:
     swing.record(path, L=1.2)
     assert path.read_bytes() == (tmp_path / "whole.csv").read_bytes()
     (tmp_path / "other.csv").write_text("mine")
-    with pytest.raises(poinsot.RecordingError):
+    with pytest.raises(poinsot.RecordingError, match="say replace=True"):
         swing.record(tmp_path / "other.csv")
     assert swing.record(tmp_path / "other.csv", replace=True).complete
     with pytest.raises(poinsot.RecordingError, match="csv"):

@@ -48,7 +48,7 @@ CALLS: list[tuple[Callable[[Any], Any], type[Exception], str]] = [
     (lambda p: p.solve()[0], TypeError, "by its name, as 'H', not by 0"),
     (lambda p: p.solve()["T"].to("kg"), ValueError, "a value in J cannot be told in 'kg'"),
     (lambda p: p.solve()["T"].to("kiloJ"), ValueError, "not a unit"),
-    (lambda p: p.solve()["T"].sympy(), poinsot.NoAnswer, "in place of given"),
+    (lambda p: p.solve()["T"].sympy(), poinsot.NoAnswer, "with_letters"),
     (lambda p: p.equations(of=[3]), TypeError, "of is a list of texts"),
     (lambda p: p.equations(letters=["zz"]), poinsot.StatementError, "^letters: zz: error"),
     (lambda p: p.figure(solution="first"), TypeError, "whole number"),
@@ -115,6 +115,10 @@ def test_words_of_the_command_line_are_said_in_python() -> None:
     assert in_python("--set theta'=3") == "theta'=3"
     assert in_python("needs theta': --set 'theta'=3 rad'") == "needs theta': {\"theta'\": '3 rad'}"
     assert in_python("a -- b") == "a -- b"
+    assert in_python("(choose one: --situation laid)") == "(choose one: situation='laid')"
+    two = poinsot.Problem.from_file(Path(__file__).parents[2] / "examples/mechanisms/block-on-an-incline.yaml")
+    with pytest.raises(poinsot.StatementError, match="choose one: situation='laid'"):
+        two.equations()
 
 
 def test_no_message_of_the_sources_speaks_of_options() -> None:

@@ -92,7 +92,7 @@ def number(problem: Problem, name: str, value: quantities.Value) -> float:
     """A value of a letter or datum in SI units."""
     if isinstance(value, str):
         text = value
-    elif hasattr(value, "to_base_units"):
+    elif hasattr(value, "to_base_units") or quantities.is_found(value):
         text = quantities.text_of(value, None, name)
     else:
         try:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from .. import charts
 from ..answers import ByName
 from ..errors import PoinsotError
 from ..wording import in_python
@@ -69,12 +70,15 @@ class Study(Mapping[str, Array]):
             self._columns[name] = np.concatenate([self._part(shard, name) for shard in range(self.plan.shards)])
         return self._columns[name]
 
+    def _parts_of(self, name: str) -> list[str]:
+        """The columns of single numbers that a name stands for."""
+        return [name] if self[name].ndim == 1 else [one for one in self.answers if one.startswith(f"{name}.")]
+
     def _number(self, name: str) -> Array:
         """A column of single numbers."""
         column = self[name]
         if column.ndim != 1:
-            components = ", ".join(one for one in self.answers if one.startswith(f"{name}."))
-            raise ValueError(f"{name} has several numbers in each row: expected {components}")
+            raise ValueError(f"{name} has several numbers in each row: expected {', '.join(self._parts_of(name))}")
         return column
 
     def _part(self, shard: int, name: str) -> Any:
@@ -181,7 +185,7 @@ class Study(Mapping[str, Array]):
         import pandas
 
         answer = self._number(name)
-        if not any(map(is_random, self.plan.over.values())):
+        if not self.is_random:
             raise StudyError("a tornado chart compares random values, as tolerance('20 deg', '0.3 deg'), and here are none")
         table = {}
         for varied, axis in self.plan.over.items():
@@ -194,6 +198,35 @@ class Study(Mapping[str, Array]):
         frame = pandas.DataFrame(table, index=["low", "high", "change"]).T
         frame.attrs["units"] = {one: self.units[name] for one in ("low", "high", "change")}
         return frame.loc[frame["change"].abs().sort_values(ascending=False).index]
+
+    @property
+    def is_random(self) -> bool:
+        """Whether something of what was varied has a distribution."""
+        return any(map(is_random, self.plan.over.values()))
+
+    def plot(
+        self, *answers: str, over: str = "", units: Mapping[str, str] | None = None, ax: Any = None
+    ) -> Any:
+        """Draws answers over one of what was varied, the first by default, by Matplotlib; all that have the unit of the first
+        answer, if none is named.
+
+        Lists and spans give lines, one for each value of the others, random values points. units={"n": "rpm", "B.y": "kN"} shows
+        them in these; ax: the axes of a figure to draw on, which are returned.
+        """
+        first = over or self.over[0]
+        if first not in self.over:
+            raise ValueError(f"{first} was not varied: expected {', '.join(self.over)}")
+        wanted = answers or tuple(one for one in self.answers if self.units[one] == self.units[self.answers[0]])
+        return charts.of_study(self, [part for one in wanted for part in self._parts_of(one)], first, units, ax)
+
+    def plot_distribution(self, name: str, *, units: Mapping[str, str] | None = None, ax: Any = None) -> Any:
+        """Draws how often an answer has which value, by Matplotlib."""
+        self._number(name)
+        return charts.distribution(self, name, units, ax)
+
+    def plot_tornado(self, name: str, *, units: Mapping[str, str] | None = None, ax: Any = None) -> Any:
+        """Draws the tornado chart of tornado(), by Matplotlib."""
+        return charts.tornado(self, name, units, ax)
 
     def __repr__(self) -> str:
         missing = self.counts.rows - self.counts.answered

@@ -132,6 +132,9 @@ def _plan(
             hint = _core.did_you_mean(one, list(over))
             raise ValueError(f"'{one}' among the sensitivities does not differ from row to row: expected of over "
                              f"{', '.join(over)}{f' ({hint})' if hint else ''}")
+    # The plan knows the text of the problem, in which they have values.
+    if opened := [one for one in problem._opened if one not in over and one not in sets]:
+        raise ValueError(f"{', '.join(opened)} became letters by with_letters(): vary them by over, or give them values by sets")
     with _sources(problem):
         given = quantities.settings(problem, sets)
     plan = Plan(

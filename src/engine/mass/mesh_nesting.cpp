@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 #include <vector>
+
+#include "engine/mass/solid_angle.h"
 
 namespace poinsot {
 namespace {
@@ -56,15 +57,6 @@ Surfaces surfaces_of(const TriangleMesh<double>& mesh) {
     surfaces.of_triangle.push_back(own);
   }
   return surfaces;
-}
-
-// Seen from p, over 4 pi: A. Van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983.
-double winding(const Vector& p, const Vector& A, const Vector& B, const Vector& C) {
-  const Vector a = A - p, b = B - p, c = C - p;
-  const double la = norm(a), lb = norm(b), lc = norm(c);
-  const double above = dot(a, cross(b, c));
-  const double below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-  return std::atan2(above, below) / (2 * std::numbers::pi);
 }
 
 }  // namespace

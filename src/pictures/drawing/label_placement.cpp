@@ -185,9 +185,15 @@ class Placement {
     Placed best;
     const LabelRequest& request = requests_[i];
     const Box& box = request.label.box;
+    const double diagonal = std::hypot(box.width(), box.height());
+    double gap = 0;
+    for (const Anchor& anchor : request.anchors) gap = std::max(gap, anchor.gap);
+    near_ = 0;
     for (const double distance : distances) {
       // What is farther costs more than what was found.
       if (best.cost < over_mark && 0.25 * distance > best.cost) break;
+      const double reach_of_ring = gap + distance + diagonal;
+      while (near_ < others_.size() && others_[near_].away <= reach_of_ring) ++near_;
       for (const Anchor& anchor : request.anchors)
         for (int k = 0; k < directions; ++k) {
           const double angle = 2 * std::numbers::pi * k / directions;
@@ -209,6 +215,17 @@ class Placement {
     for (std::size_t other = 0; other < requests_.size(); ++other)
       if (other != i && std::isfinite(placed_[other].cost) && !left_out(other))
         others_.push_back({requests_[other].label.box.moved(placed_[other].at), placed_[other].leader});
+    // In the order in which labels that go farther and farther from their anchors come to meet them.
+    for (Other& other : others_) {
+      Box reach = other.box.grown(apart);
+      if (other.leader) {
+        reach.include(other.leader->first);
+        reach.include(other.leader->second);
+      }
+      for (const Anchor& anchor : requests_[i].anchors)
+        other.away = std::min(other.away, norm(nearest(reach, anchor.at) - anchor.at));
+    }
+    std::ranges::stable_sort(others_, {}, &Other::away);
   }
 
   double cost(std::size_t i, Placed& here, const Anchor& anchor, Point2 toward, double distance, double least) const {
@@ -221,7 +238,9 @@ class Placement {
       here.leader = {{anchor.at + 2.0 * direction(nearest(box, anchor.at) - anchor.at), nearest(box, anchor.at)}};
       sum += 3;
     }
-    for (const auto& [theirs, leader] : others_) {
+    for (std::size_t k = 0; k < near_; ++k) {
+      const Box& theirs = others_[k].box;
+      const auto& leader = others_[k].leader;
       if (theirs.grown(1.5).overlaps(box))
         sum += over_label;
       else if (Box{theirs.left - apart, theirs.top + 3, theirs.right + apart, theirs.bottom - 3}.overlaps(box))
@@ -243,11 +262,13 @@ class Placement {
   struct Other {
     Box box;
     std::optional<std::pair<Point2, Point2>> leader;
+    double away = std::numeric_limits<double>::infinity();  // from the anchors of the label that is placed
   };
 
   std::vector<LabelRequest> requests_;
   std::vector<Placed> placed_;
   std::vector<Other> others_{};
+  std::size_t near_ = 0;  // of these, which a label so far from its anchors can meet
   Obstacles obstacles_;
   const std::function<bool(Point2)>& over_body_;
 };

@@ -159,7 +159,10 @@ class ArrowDrawer {
       // What may be moved does not lie on a body from which its line has a way out.
       cost += (movable ? 1.3 : 0.8) * panel_.visibility.covered(shaft.tail, shaft.tip);
       for (const Shaft& other : drawn_) {
-        cost += 2 * clash(shaft, other);
+        const double clashing = clash(shaft, other);
+        // Two along one line would read as one.
+        constexpr double as_one = 0.2;
+        cost += 2 * clashing + (movable && clashing > as_one ? 0.8 : 0);
         // A couple at the tail of a force that stands elsewhere would seem to belong to it.
         if (movable && distance(other.tail, at, at) > beside && distance(other.tail, shaft.tail, shaft.tip) < beside)
           cost += 1;
@@ -168,6 +171,11 @@ class ArrowDrawer {
       // stands before its end.
       cost += (movable ? 1.3 : 0.6) * along_rods(shaft);
       cost += (movable ? 1 : 0.5) * over_symbols(shaft);
+      // What turns, drawn from outside with its head at a body, would seem to push it.
+      constexpr double at_head = 12;
+      if (movable && !panel_.visibility.over_body(shaft.tail) &&
+          panel_.visibility.over_body(shaft.tip + at_head * direction(arm)))
+        cost += 0.8;
       if (cost < least - 1e-9) {
         least = cost;
         best = shaft;
@@ -197,8 +205,10 @@ class ArrowDrawer {
       attempt({at - 1.6 * arm, at - 0.6 * arm}, 1.2);
       // Where its line has left the body, not far from where it belongs; a frame of reference turns all of the picture.
       if (const double out = way_out(at, direction(arm)); out > 0)
-        attempt({at + out * direction(arm), at + out * direction(arm) + arm},
-                0.4 + (is_of_frame(arrow) ? 0 : out / 400));
+        for (const double aside : {0.0, 9.0, -9.0, 16.0, -16.0}) {
+          const Point2 begin = at + out * direction(arm) + aside * side;
+          attempt({begin, begin + arm}, 0.4 + (is_of_frame(arrow) ? 0 : out / 400) + std::abs(aside) / 40);
+        }
       // Beside a shaft, beyond the bearing at its end.
       const Point2 beyond = past_symbol * direction(arm);
       attempt({at + beyond, at + beyond + arm}, 0.25);

@@ -123,7 +123,8 @@ double beside_others(const Panel& panel, const scene::Link& link) {
 }
 
 void name_tension(Panel& panel, const scene::Link& link, Point2 from, Point2 to) {
-  if (link.symbol.empty() || norm(to - from) < 30) return;
+  // A slack cord pulls nothing.
+  if (link.symbol.empty() || link.slack || norm(to - from) < 30) return;
   const Point2 middle = 0.5 * (from + to), side = turned_left(direction(to - from));
   Label label = tex_label(link.symbol);
   label.ink = Ink::force;

@@ -41,7 +41,10 @@ void hatch_area(Panel& panel, const std::vector<Point2>& points) {
     low = std::min(low, dot(p, across));
     high = std::max(high, dot(p, across));
   }
-  for (double level = low + 0.5 * hatch_distance; level < high; level += hatch_distance) {
+  const double first = low + 0.5 * hatch_distance;
+  const int levels = high > first ? static_cast<int>(std::ceil((high - first) / hatch_distance)) : 0;
+  for (int i = 0; i < levels; ++i) {
+    const double level = first + i * hatch_distance;
     const std::optional<Interval> whole = chord(points, along, across, level);
     if (!whole) continue;
     const auto stroke = [&](double begin, double end) {
@@ -64,16 +67,31 @@ void draw_post(Panel& panel, const scene::Curve& curve) {
   panel.loop(std::move(points), Role::symbol, 1.4);
 }
 
-// A piece of the surface across its normal.
+// A piece of the surface across its normal, as far as no other surface hides it: a groove and a corner have no cross.
 void draw_surface(Panel& panel, const scene::Curve& curve) {
   constexpr double half = 40, from_the_side = 0.3;
   const Vector normal = curve.points[1] - curve.points[0];
   const Vector& viewer = panel.projection.view().viewer;
-  const Point2 at = panel.projection(curve.points[0]);
-  const Point2 side = half * direction(panel.projection.direction_of(cross(normal, viewer)), {1, 0});
   const Point2 into = panel.projection.direction_of(-normal);
   if (norm(into) < from_the_side) return;
-  cross(side, into) > 0 ? hatch(panel, at - side, at + side) : hatch(panel, at + side, at - side);
+  const Vector across = cross(normal, viewer);
+  const double seen = norm(panel.projection.direction_of(across)) * panel.projection.scale();
+  if (!(seen > 0)) return;
+  const double reach = half / seen;
+  double begin = -reach, end = reach;
+  for (const scene::Curve& other : panel.scene.curves) {
+    if (&other == &curve || other.kind != scene::CurveKind::surface || other.body != curve.body) continue;
+    const Vector out = other.points[1] - other.points[0];
+    const double here = dot(out, Vector(curve.points[0] - other.points[0])), slope = dot(out, across);
+    // What stands behind the other altogether, or runs along it, is not cut.
+    if (here < -1e-9 * norm(out) * panel.scene.length || !(std::abs(slope) > 1e-9 * norm(out) * norm(across))) continue;
+    const double meets = -std::max(here, 0.0) / slope;
+    slope > 0 ? begin = std::max(begin, meets) : end = std::min(end, meets);
+  }
+  if (!(end > begin)) return;
+  const Point2 from = panel.projection(Vector(curve.points[0] + begin * across)),
+               to = panel.projection(Vector(curve.points[0] + end * across));
+  cross(to - from, into) > 0 ? hatch(panel, from, to) : hatch(panel, to, from);
 }
 
 }  // namespace

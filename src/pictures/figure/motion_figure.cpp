@@ -98,6 +98,18 @@ void move_links(Panel& panel, const scene::Motion& motion, std::size_t time) {
   }
 }
 
+// A long and flat way has more room along it.
+Size size_of_way(const View& view, const std::vector<Vector>& places) {
+  constexpr double widest = 640;
+  const Projection unscaled(view, 1);
+  Box box;
+  for (const Vector& place : places) box.include(unscaled(place));
+  Size size = size_of_panels(1);
+  const double flat = size.height / size.width * box.width() / std::max(box.height(), 1e-300);
+  if (flat > 1) size.width = std::min(widest, std::sqrt(flat) * size.width);
+  return size;
+}
+
 // The poses beside and below each other, all to one scale.
 Drawing rows_of_poses(const scene::Scene& scene, const Looks& looks, const View& view, bool lost) {
   const scene::Motion& motion = *scene.motion;
@@ -152,7 +164,7 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   const Spread spread = spread_of(scene, bodies, shown, view);
   const bool lost = spread.lost() && turns_visibly(scene, shown);
   if (spread.piled() || lost) return rows_of_poses(scene, looks, view, lost);
-  const Projection projection = fitted(view, places, size_of_panels(1));
+  const Projection projection = fitted(view, places, size_of_way(view, places));
   std::vector<Mark> before;
   for (std::size_t k = 0; k + 1 < shown.size(); ++k) {
     Panel panel(scene, bodies, motion.poses[shown[k]], projection);

@@ -16,6 +16,7 @@
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
 #include "problem/witness/attraction_bound.h"
+#include "problem/witness/cut_parts.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
@@ -174,6 +175,12 @@ void refuse_unphysical(const Statement& statement, const AskValues& asked, Sampl
     ask.state = AskState::refused;
     ask.reason = reason;
   };
+  for (std::size_t k = 0; k < statement.situations.size(); ++k) {
+    DataScope<double> data(statement.situations[k], sample.settings()[k]);
+    const std::optional<std::string> reason = unsound_hole(statement.situations[k], data);
+    for (SolvedAsk& ask : result.asks)
+      if (reason && ask.state == AskState::found) refuse(ask, *reason);
+  }
   std::size_t extremum = 0;
   for (std::size_t i = 0; i < statement.asks.size(); ++i) {
     const Ask& ask = statement.asks[i];

@@ -461,10 +461,10 @@ std::vector<Settings> settings_of_root(const Statement& statement, const Setting
 SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings,
                                      const std::function<SolvedStatement(const Statement&)>& solve) {
   refuse_beside_friction(statement, settings);
-  // Up to which value contacts stick is sought from rest, whatever they do at the values stated.
+  // Up to which value contacts stick or touch is sought by itself, whatever they do at the values stated.
   Statement limits = statement, others = statement;
-  std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_sticking(ask); });
-  std::erase_if(others.asks, is_limit_of_sticking);
+  std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_states(ask); });
+  std::erase_if(others.asks, is_limit_of_states);
   if (limits.asks.empty()) return ContactStates(statement, settings, solve).solve();
   const States sticking = states_of_limits(limits, settings);
   const Statement at_rest = in_contact_states(limits, sticking);
@@ -476,7 +476,7 @@ SolvedStatement solve_contact_states(const Statement& statement, const Settings&
   const Solution& of_limits = found.solutions.front();
   for (Solution& solution : result.solutions) {
     for (std::size_t i = 0, next = 0; i < statement.asks.size(); ++i)
-      if (is_limit_of_sticking(statement.asks[i]))
+      if (is_limit_of_states(statement.asks[i]))
         solution.asks.insert(solution.asks.begin() + static_cast<std::ptrdiff_t>(i), of_limits.asks[next++]);
     solution.notes.insert(solution.notes.end(), of_limits.notes.begin(), of_limits.notes.end());
     for (const auto& [name, value] : of_limits.checks) {

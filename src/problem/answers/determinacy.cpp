@@ -77,7 +77,10 @@ class Variation {
         if (const std::string range = range_in_words(found_.statement.asks[i], result_.asks[i], found_.sample);
             !range.empty())
           add_reason(result_.asks[i], range);
-    if (any + gravity + velocities + forces > 1) vary_together(any, gravity, velocities > 0, forces > 0);
+    // A single one is varied once more too, where no motion has to be followed again for it.
+    const std::size_t open = any + gravity + velocities + forces;
+    if (open > 1 || (open > 0 && found_.sample.motions().empty()))
+      vary_together(any, gravity, velocities > 0, forces > 0);
     tell_fixed_components();
     return moved_unknowns_;
   }

@@ -35,6 +35,10 @@ class FactCheck {
       const Value<double> value = at(fact.value);
       for (std::size_t k = 0; k < 3; ++k)
         compare(quantity.vector[k], value.is_vector() ? value.vector[k] : 0, size_of(quantity), quantity.dimension);
+    } else if (list && list->items.size() == quantity.items.size()) {
+      for (std::size_t k = 0; k < list->items.size(); ++k)
+        if (!is_any(list->items[k]))
+          compare(quantity.items[k].number, at(list->items[k]).number, size_of(quantity), quantity.items[k].dimension);
     }
   }
 

@@ -214,10 +214,11 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
   SolvedInstant& instant = sample.instant_of(ask);
   result.natural_size = asked_size(instant, situation, ask, dimension);
   const double size = std::max({size_of(value), instant.natural_size(dimension), result.natural_size});
-  if (has_small_numbers(value, 1e-14 * size)) {
-    const bool moved = !sample.motions().empty();
-    drop_noise(solved.value, size, result.natural_size, moved ? std::vector<Value<double>>{} : rounded.of(ask));
-  }
+  // What a motion has led to is no better than the motion was followed.
+  const bool moved = !sample.motions().empty();
+  const double noise = moved ? noise_of_motion : noise_of_instant;
+  if (has_small_numbers(value, noise * size))
+    drop_noise(solved.value, size, result.natural_size, moved ? std::vector<Value<double>>{} : rounded.of(ask), noise);
   for (const Value<double>& item : value.items)
     if (!same_kind(dimension_of(item), dimension))
       fail(situation.file, ask.mark,

@@ -1,11 +1,14 @@
 #include "problem/answers/friction_refusals.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string_view>
 
 #include "problem/answers/letter_draws.h"
 #include "problem/course/course.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/expression_walk.h"
 #include "problem/machine/data.h"
 #include "problem/quantities/quantity_functions.h"
 
@@ -40,11 +43,26 @@ void refuse_situation(const Situation& situation) {
 
 }  // namespace
 
-bool is_limit_of_sticking(const Ask& ask) {
+namespace {
+
+bool calls(const Expression& expression, std::initializer_list<std::string_view> functions) {
+  const Call* call = expression.as<Call>();
+  return call && std::ranges::find(functions, call->function) != functions.end();
+}
+
+// Whether it is said of the instant itself, and not of other times.
+bool is_of_instant(const Expression& expression) {
+  return !expression.as<At>() && !asks_motion_feature(expression) &&
+         !any_child(expression, [](const Expression& part) { return !is_of_instant(part); });
+}
+
+}  // namespace
+
+bool is_limit_of_states(const Ask& ask) {
   if (!ask.extremum || ask.extremum->conditions.empty()) return false;
   return std::ranges::all_of(ask.extremum->conditions, [](const Expression& condition) {
-    const Call* call = condition.as<Call>();
-    return call && call->function == "sticking";
+    return calls(condition, {"sticking", "sliding", "parting", "touching", "taut"}) ||
+           (condition.as<Comparison>() && is_of_instant(condition));
   });
 }
 
@@ -118,7 +136,7 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
            "with friction, blows are solved for numbers, and '" + open.front().name + "' has no value",
            "give the letters values by --set or under given:");
     for (const Ask& ask : statement.asks)
-      if (is_limit_of_sticking(ask))
+      if (is_limit_of_states(ask))
         fail(statement.file, ask.mark, "up to where contacts stick is not sought in a blow",
              "ask what they do at single values: a note tells it");
   }
@@ -130,9 +148,15 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
            "in tables over data unknowns are not found anew where contacts have friction: their states may differ "
            "from row to row",
            "ask for single values, with --set for others");
-    if (ask.extremum && !is_limit_of_sticking(ask))
+    const bool steady =
+        std::ranges::any_of(statement.situations, [](const Situation& one) { return one.steady.has_value(); });
+    const auto sticks = [](const Expression& condition) { return calls(condition, {"sticking"}); };
+    if (ask.extremum &&
+        (!is_limit_of_states(ask) || (steady && !std::ranges::all_of(ask.extremum->conditions, sticks))))
       fail(statement.file, ask.mark,
-           "extrema are not sought where contacts have friction, but for the limit up to which they stick",
+           steady ? "extrema are not sought in a steady motion where contacts have friction, but for the limit up to "
+                    "which they stick"
+                  : "extrema are not sought where contacts have friction, but for what they do at an instant",
            "write {smallest: mu, while: sticking(floor)}");
   }
 }

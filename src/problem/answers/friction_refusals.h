@@ -7,14 +7,15 @@
 namespace poinsot::problem {
 
 // Throws StatementError, which says which and why: for facts of later instants, steady motions and stability,
-// claims, tables over data beside unknowns, and extrema but for the limit of sticking.
+// claims, tables over data beside unknowns, and extrema but for limits of what contacts do.
 void refuse_beside_friction(const Statement& statement, const Settings& settings);
 
 // Throws StatementError for what is not solved with blows at rough contacts: claims and choices;
 // and with friction of teeth.
 void refuse_beside_rough_blows(const Statement& statement);
 
-// Whether the extremum is the limit up to which contacts stick: {smallest: mu, while: sticking(floor)}.
-bool is_limit_of_sticking(const Ask& ask);
+// Whether the extremum is a limit of what contacts do at an instant, {smallest: mu, while: sticking(floor)}, or of a
+// comparison there.
+bool is_limit_of_states(const Ask& ask);
 
 }  // namespace poinsot::problem

@@ -10,7 +10,6 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr double noise = 1e-14;       // rounding, as a part of the natural size of a quantity
 constexpr double last_digit = 4e-16;  // the rounding of a single operation
 constexpr double another = 0.3;       // a number that changes by more than this part of itself is not real
 
@@ -88,7 +87,8 @@ double RoundedValues::spread(const Ask& ask, const Value<double>& value) {
   return largest;
 }
 
-void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded) {
+void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded,
+                double noise) {
   for_each_number(value, of_same_shape(value, rounded), [&](double& x, double own, const std::vector<double>& there) {
     if (!(std::abs(x) < noise * size)) return;
     const double near = std::max(own, asked_size);

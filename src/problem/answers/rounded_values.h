@@ -28,9 +28,14 @@ class RoundedValues {
   std::map<std::string, std::vector<Value<double>>> known_;  // by ask
 };
 
-// Sets numbers to zero that are rounding. Numbers of at least 1e-14 of `size` are not. A smaller one is rounding if
+// What may be noise, as a part of the natural size of a quantity: rounding at an instant, and what following a motion
+// leaves besides, which is told to some thirteen digits.
+inline constexpr double noise_of_instant = 1e-14, noise_of_motion = 1e-13;
+
+// Sets numbers to zero that are rounding. Numbers of at least `noise` of `size` are not. A smaller one is rounding if
 // it is less than the last digit of its vector or of `asked_size`, or if one of the rounded values has a different
-// number. Without rounded values it is if it is less than 1e-14 of its vector or of asked_size.
-void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded);
+// number. Without rounded values it is if it is less than `noise` of its vector or of asked_size.
+void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded,
+                double noise);
 
 }  // namespace poinsot::problem

@@ -55,6 +55,10 @@ class FormulaTracer {
     });
   }
   void add_answers(const Solution& solution) {
+    // What was found by trials holds where it was tried, and to the digits of its numbers.
+    const auto tried = [](const auto& one) { return !one.formula_road.empty(); };
+    if (std::ranges::any_of(solution.unknowns, tried) || std::ranges::any_of(solution.asks, tried))
+      throw std::domain_error("some were found by trials, and not derived");
     for (const SolvedAsk& ask : solution.asks) {
       if (!ask.regimes.empty()) throw std::domain_error("there are several, each for a part of the values");
       if (const auto formulas = ask.formula ? numbers_in(*ask.formula) : std::vector<Formula>(); !formulas.empty()) {

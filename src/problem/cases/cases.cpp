@@ -106,6 +106,7 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
   settings_ = read_settings(statement_, sets_);
   all_have_values_ = no_letters_left() && !rough;
   by_instants_ = needs_instants_alone(statement_) && all_have_values_;
+  find_roots();
   if (!columns_.empty()) {
     if (!formulas_) make_program();
     return;
@@ -389,6 +390,7 @@ SolvedCases CompiledCases::solved(const Columns& data, std::uint64_t first) cons
   else if (program_)
     go_by(*program_, CaseRoad::by_instant, data, found);
   for (std::vector<double>& column : found.columns) column.resize(rows, missing);
+  leave_out_what_cannot_exist(data, found);
   if (by_instants_) go_by_instants(data, found);
   check(data, first, found);
   solve_the_rest(data, found);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,6 +82,10 @@ class CompiledCases {
   // By a program that takes columns of data and room for results, and tells which cases it answers.
   template <class Program>
   static void go_by(const Program& program, CaseRoad road, const Columns& data, SolvedCases& found);
+  // Takes back the answers of cases in which there can be no such machine.
+  void leave_out_what_cannot_exist(const Columns& data, SolvedCases& found) const;
+  bool exists(const std::vector<double>& values) const;
+  void find_roots();
   void go_by_instants(const Columns& data, SolvedCases& found) const;
   void solve_the_rest(const Columns& data, SolvedCases& found) const;
   // Adds the derivatives of answers where no program has them.
@@ -123,6 +128,11 @@ class CompiledCases {
   std::string no_formulas_;
   std::optional<InstantProgram> program_;  // where there are no formulas
   std::string no_program_;
+  AllSettings roots_;              // the values of unknowns in the first case, for each situation
+  bool existence_is_told_ = true;  // whether with these the machine of the first case exists
+  // The last least and largest values of the data between which all machines exist.
+  mutable std::mutex known_box_mutex_;
+  mutable std::pair<std::vector<double>, std::vector<double>> known_box_;
 };
 
 }  // namespace poinsot::problem

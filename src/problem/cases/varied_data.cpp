@@ -15,7 +15,7 @@ namespace {
 
 // A datum of the file: of a computed one only the dimension and the sign matter, so that letters count one of their
 // unit.
-VariedDatum varied_datum(const Situation& situation, const NamedExpression& given) {
+VariedDatum varied_datum(const Situation& situation, const NamedExpression& given, const std::string& place) {
   Settings ones;
   for (const Letter& letter : situation.letters)
     ones[letter.name] = Value<double>::of_number(letter.unit.factor, letter.unit.dimension);
@@ -24,22 +24,21 @@ VariedDatum varied_datum(const Situation& situation, const NamedExpression& give
                                         : Value<double>::of_number(1, unknown.unit.dimension);
   DataScope<double> data(situation, ones);
   const Value<double> value = data.value(given.value);
-  const std::string place = "over " + given.name;
   if (!value.is_number())
-    fail(place, {}, "'" + given.name + "' is no number", "vary the numbers from which it is computed");
+    fail(place, {}, "'" + given.name + "' is no number", "take the numbers from which it is computed");
   if (depends_on_time(situation, given.value))
-    fail(place, {}, "'" + given.name + "' changes in time", "vary the numbers from which it is computed");
+    fail(place, {}, "'" + given.name + "' changes in time", "take the numbers from which it is computed");
   return {given.name, value.dimension, value.number > 0 && !(value.dimension == dimensions::angle), true};
 }
 
-VariedDatum varied_one(const Situation& situation, const std::string& name) {
+VariedDatum varied_one(const Situation& situation, const std::string& name, const std::string& place) {
   for (const NamedExpression& given : situation.given)
-    if (given.name == name) return varied_datum(situation, given);
+    if (given.name == name) return varied_datum(situation, given, place);
   for (const Letter& letter : situation.letters)
     if (letter.name == name) return {name, letter.unit.dimension};
   for (const Unknown& unknown : situation.find)
     if (unknown.name == name) {
-      if (unknown.vector) fail("over " + name, {}, "'" + name + "' is a vector", "vary numbers");
+      if (unknown.vector) fail(place, {}, "'" + name + "' is a vector", "take numbers");
       return {name, unknown.unit.dimension};
     }
   return {};
@@ -47,19 +46,21 @@ VariedDatum varied_one(const Situation& situation, const std::string& name) {
 
 }  // namespace
 
-std::vector<VariedDatum> varied_data(const Statement& statement, const std::vector<std::string>& names) {
+std::vector<VariedDatum> varied_data(const Statement& statement, const std::vector<std::string>& names,
+                                     const std::string& what) {
   std::vector<VariedDatum> all;
   for (const std::string& name : names) {
+    const std::string place = what + " " + name;
     VariedDatum found;
     std::vector<std::string> known;
     for (const Situation& situation : statement.situations) {
-      if (found.name.empty()) found = varied_one(situation, name);
+      if (found.name.empty()) found = varied_one(situation, name, place);
       for (const std::string& one : settable_names(situation)) known.push_back(one);
     }
     if (found.name.empty()) {
       const std::string hint = did_you_mean(name, known);
       const std::set<std::string> unique(known.begin(), known.end());
-      fail("over " + name, {}, "the problem has no letter or datum '" + name + "'",
+      fail(place, {}, "the problem has no letter or datum '" + name + "'",
            !hint.empty() ? hint : fmt::format("it has {}", fmt::join(unique, ", ")));
     }
     all.push_back(std::move(found));

@@ -16,8 +16,9 @@ struct VariedDatum {
 };
 
 // The data, letters and unknowns with these names. Throws StatementError for a name that is none of these, one that is
-// no number, and a datum that changes in time.
-std::vector<VariedDatum> varied_data(const Statement& statement, const std::vector<std::string>& names);
+// no number, and a datum that changes in time; `what` and the name are its place.
+std::vector<VariedDatum> varied_data(const Statement& statement, const std::vector<std::string>& names,
+                                     const std::string& what = "over");
 
 // The statement with these data as letters without value.
 Statement with_letters(const Statement& statement, const std::vector<VariedDatum>& data);

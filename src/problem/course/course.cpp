@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "poinsot/engine/dynamics/action_forces.h"
@@ -18,6 +19,9 @@ namespace {
 // The push that makes a motion leave an unstable equilibrium, in radians or natural lengths: far above the error with
 // which the motion is followed, 1e-12 a step, and so small that its square is not seen in eleven digits.
 constexpr double nudge = 1e-7;
+
+// Of a time, which is a sum over the steps: ten thousand of them at the most, each rounded to 1e-16.
+constexpr double rounding_of_times = 1e-12;
 
 // Whether velocities carry free bodies along without turning anything.
 bool carries_along(const Machine& machine, const std::vector<double>& velocities) {
@@ -281,21 +285,29 @@ MotionState Course::end_of(std::size_t stage) {
   return state;
 }
 
+std::optional<double> Course::blow_at(double time) const {
+  const auto blow =
+      std::ranges::lower_bound(blows_, time - rounding_of_times * std::abs(time), std::less{}, &Blow::time);
+  if (blow == blows_.end() || blow->time > time + rounding_of_times * std::abs(time)) return {};
+  return blow->time;
+}
+
 MotionState Course::at(double time) {
   const std::size_t stage = stage_at(time);
   StageRun& now = stages_[stage];
-  // But for the rounding of times, which are sums over the steps.
-  const auto beyond = [&] { return now.end && time > *now.end * (1 + 1e-12); };
+  const auto beyond = [&] { return now.end && time > *now.end * (1 + rounding_of_times); };
   if (!beyond() && time > now.time) run(stage, time);
   if (beyond())
     throw UnansweredError(situation_.file, mark_of(stage), words_of(stage) + " ends before that time",
                           "let it last longer");
   MotionState state{time, stage, now.q, now.v, {}};
   if (rubs(now)) state.off_line = off_line * natural_speed();
+  // At the instant of a blow what was just before it is meant.
+  const double within = blow_at(time).value_or(time);
   for (std::size_t i = 0; i < now.pieces.size(); ++i) {
     const Trajectory& piece = now.pieces[i];
-    if (piece.empty() || time > piece.end_time() || time < piece.start_time()) continue;
-    State<double> there = piece.state(time);
+    if (piece.empty() || within > piece.end_time() || within < piece.start_time()) continue;
+    State<double> there = piece.state(within);
     state.q = std::move(there.q);
     state.v = std::move(there.v);
     state.acting = now.acting[i];
@@ -308,6 +320,7 @@ MotionState Course::at(double time) {
 // The piece of the motion followed so far that contains a time, if it is one with steps. `at` decides in all other
 // cases.
 const Trajectory* Course::piece_at(double time) const {
+  if (blow_at(time)) return nullptr;
   for (std::size_t k = 0; k < stages_.size(); ++k) {
     const StageRun& stage = stages_[k];
     // At the end of a stage the next one has begun.

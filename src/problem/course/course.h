@@ -304,6 +304,8 @@ class Course : public FollowedMotion {
     double time = 0;
     std::size_t action = 0;
   };
+  // The time of the blow that falls on this time but for rounding.
+  std::optional<double> blow_at(double time) const;
   std::vector<Blow> blows_;                // at which contacts met, in the order of time
   double largest_kinetic_ = 0;             // of the motion so far, where its energy is balanced, J
   std::map<std::string, double> settled_;  // when contacts ceased to bounce, s

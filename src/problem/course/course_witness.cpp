@@ -1,8 +1,11 @@
 // Second roads to a motion and to what was told of it.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "engine/motion/integrator/event_search.h"
 #include "poinsot/engine/solve/instant/constraint_check.h"
+#include "problem/course/corners.h"
 #include "problem/course/course.h"
 #include "problem/course/motion_piece.h"
 #include "problem/course/motion_witness.h"
@@ -15,6 +18,37 @@ namespace {
 // Part of the work of a motion and its questions that each of the two roads may be: with the motion that is followed
 // less closely all of them are no more than what they stand beside.
 constexpr double part_of_work = 0.25;
+
+// The times up to one at which loads and given motions may have corners, as their expressions tell, in ascending order.
+std::vector<double> driven_corners(const Situation& situation, const Settings& settings, double last) {
+  std::vector<CornerOf> corners;
+  for (const Expression& expression : driving_expressions(situation, std::nullopt))
+    for (CornerOf& corner : corners_of(situation, expression)) corners.push_back(std::move(corner));
+  constexpr std::size_t looks = 200, most = 1000;
+  std::vector<double> times, found;
+  for (std::size_t k = 0; k <= looks; ++k) times.push_back(last * static_cast<double>(k) / looks);
+  DataScope<double> data(situation, settings);
+  std::ranges::stable_sort(corners, std::greater(), &CornerOf::turns);
+  for (const CornerOf& corner : corners) {
+    const auto value = [&](double time) {
+      data.set_time(time);
+      const double number = data.value(corner.number).number;
+      return corner.turns ? number * number : number;
+    };
+    try {
+      for (const double time : corners_between(value, corner.turns, times)) found.push_back(time);
+    } catch (const StatementError&) {
+      // What depends on the motion as well has no corner that the time tells.
+      continue;
+    }
+    if (found.size() > most) break;
+    times.insert(times.end(), found.begin(), found.end());
+    std::ranges::sort(times);
+    times.erase(std::ranges::unique(times).begin(), times.end());
+  }
+  std::ranges::sort(found);
+  return found;
+}
 
 }  // namespace
 
@@ -142,9 +176,7 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
   const auto keep = [&](const MotionDoubt& doubt) {
     if (!worst || doubt.value > worst->value) worst = doubt;
   };
-  std::size_t held = 0;
-  for (const SmoothPart& part : windows(most)) {
-    if (held >= least && limit.spent()) break;
+  const auto misfit_in = [&](const SmoothPart& part) {
     std::optional<double> misfit;
     double length = part.step;
     for (int cut = 0; cut <= most_cuts && !(misfit && *misfit <= good); ++cut, length /= 4) {
@@ -153,10 +185,38 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
       if (!shorter) break;
       misfit = std::min(misfit.value_or(INFINITY), *shorter);
     }
-    if (!misfit) continue;
+    if (misfit)
+      keep({*misfit, "between " + with_digits(part.from, 6) + " s and " + with_digits(part.to, 6) +
+                         " s it changes otherwise than the equations of single instants tell"});
+    return misfit;
+  };
+  // Where the work ends before them all, those that were looked at are spread over the motion.
+  const std::vector<SmoothPart> parts = windows(most);
+  // Of what lies between two corners of loads and given motions, which may be shorter than any step.
+  constexpr std::size_t most_driven = 12;  // the shortest ones
+  const std::vector<SmoothPart> driven = timed_ ? [&] {
+    std::vector<SmoothPart> found;
+    const std::vector<double> times = driven_corners(situation_, settings_, reached());
+    constexpr double inside = 1e-3, least_part = 1e-9;  // of a part, and of the motion
+    for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+      // Where something else is sudden within it, what lies on one side.
+      const Trajectory* piece = piece_at(0.5 * (times[k] + times[k + 1]));
+      if (!piece) continue;
+      const double begin = std::max(times[k], piece->start_time()), end = std::min(times[k + 1], piece->end_time());
+      const double length = std::min(end - begin, pace_time_);
+      if (length > least_part * reached())
+        found.push_back({begin + inside * length, begin + (1 - inside) * length, (1 - 2 * inside) * length});
+    }
+    std::ranges::stable_sort(found, {}, &SmoothPart::step);
+    if (found.size() > most_driven) found.resize(most_driven);
+    return found;
+  }() : std::vector<SmoothPart>();
+  std::size_t held = 0;
+  for (const std::size_t k : spread_order(parts.size())) {
+    const SmoothPart& part = parts[k];
+    if (held >= least && limit.spent()) break;
+    if (!misfit_in(part)) continue;
     ++held;
-    keep({*misfit, "between " + with_digits(part.from, 6) + " s and " + with_digits(part.to, 6) +
-                       " s it changes otherwise than the equations of single instants tell"});
     const double middle = part.from + 0.5 * (part.to - part.from);
     if (!witnessed(middle)) continue;
     keep(contact_doubt(middle));
@@ -199,7 +259,24 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
       }
     return farthest;
   };
+  for (const SmoothPart& part : driven) misfit_in(part);
   keep(catch_doubt());
+  // What gives way pulls or presses until it does.
+  constexpr std::size_t most_given_way = 24;  // that are looked at, the first ones
+  std::size_t gave_way = 0;
+  for (const StageRun& stage : stages_)
+    for (std::size_t i = 0; i + 1 < stage.pieces.size() && gave_way < most_given_way; ++i) {
+      const Trajectory& piece = stage.pieces[i];
+      const std::vector<bool>&before = stage.acting[i], &after = stage.acting[i + 1];
+      bool lost = false;
+      for (std::size_t k = 0; k < before.size() && k < after.size(); ++k) lost = lost || (before[k] && !after[k]);
+      if (!lost || piece.empty()) continue;
+      ++gave_way;
+      constexpr double just_before = 1e-3;  // of its last step
+      const StepView last = piece.step(piece.step_count() - 1);
+      const double time = last.end - just_before * (last.end - last.start);
+      if (witnessed(time)) keep(contact_doubt(time));
+    }
   // How long stages last is told by the file.
   double begins = 0;
   for (std::size_t k = 0; k < situation_.stages.size() && stages_[k].done && stages_[k].end; ++k) {

@@ -27,12 +27,11 @@ constexpr const char* corner_functions[] = {"abs", "norm", "unit", "direction", 
 
 }  // namespace
 
-Driving::Driving(const Situation& situation, const Settings& settings,
-                 const std::optional<std::vector<std::string>>& loads, double start, std::optional<double> lasts,
-                 double pace_time, std::size_t looks)
-    : situation_(situation), data_(situation, settings), start_(start), looks_(looks) {
+std::vector<Expression> driving_expressions(const Situation& situation,
+                                            const std::optional<std::vector<std::string>>& loads) {
+  std::vector<Expression> found;
   const auto add = [&](const std::optional<Expression>& expression) {
-    if (expression && depends_on_time(situation, *expression)) collect(*expression);
+    if (expression && depends_on_time(situation, *expression)) found.push_back(*expression);
   };
   for_each_stated_law(situation, [&]<StatedLaw Law>(const Law& law) {
     if (!Law::may_follow_time) return;
@@ -44,6 +43,14 @@ Driving::Driving(const Situation& situation, const Settings& settings,
       for (const auto* part : {&freedom.position, &freedom.rate, &freedom.accel, &freedom.effort}) add(*part);
   for (const Frame& frame : situation.frames)
     for (const auto* part : {&frame.rate, &frame.accel, &frame.velocity, &frame.acceleration}) add(*part);
+  return found;
+}
+
+Driving::Driving(const Situation& situation, const Settings& settings,
+                 const std::optional<std::vector<std::string>>& loads, double start, std::optional<double> lasts,
+                 double pace_time, std::size_t looks)
+    : situation_(situation), data_(situation, settings), start_(start), looks_(looks) {
+  for (const Expression& expression : driving_expressions(situation, loads)) collect(expression);
   part_ = parts_of_pace * pace_time;
   if (lasts && *lasts > 0) part_ = std::max(*lasts / most_parts, std::min(*lasts, part_));
 }

@@ -16,6 +16,10 @@
 
 namespace poinsot::problem {
 
+// The loads and given motions that follow the time. loads: the names of those that act, or all if left out.
+std::vector<Expression> driving_expressions(const Situation& situation,
+                                            const std::optional<std::vector<std::string>>& loads);
+
 class Driving {
  public:
   // An interval of time in which all loads and given motions are smooth.

@@ -310,9 +310,14 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
         if (sense != (a > 0 ? -1 : 1)) found.push_back(number_.zero_between(near->time, sampled.time[i + 1], 0));
       }
     }
-    // The event that ends the motion happens at its end, even if rounding leaves a small value there.
-    const double at_end = sampled.value.back(), sign = sampled.value.front() > 0 ? 1 : -1;
-    if ((stopped || (last && until >= *last)) && found.empty() && sense * sign <= 0 && std::abs(at_end) <= 1e-11 * size)
+    // The event that ends the motion, or the span, happens at its end, even if rounding leaves a small value there. It
+    // is approached from the other side.
+    const double at_end = sampled.value.back(), none = 1e-11 * size;
+    const std::size_t before = sampled.value.size() < 2 ? 0 : sampled.value.size() - 2;
+    const double last_side = sampled.value[before] > 0 ? 1 : -1;
+    const bool comes_to_zero = std::abs(at_end) <= none && std::abs(sampled.value[before]) > none;
+    const bool told = !found.empty() && until - found.back() <= 1e-9 * (until - from);
+    if ((stopped || (last && until >= *last)) && comes_to_zero && sense * last_side <= 0 && !told)
       found.push_back(until);
     std::sort(found.begin(), found.end());
     if (!found.empty()) note({0, to ? found.back() : found.front()});

@@ -51,14 +51,23 @@ std::vector<double> Course::times_of_hold(const Call& call, double from, std::op
   };
   double reached = 0;
   const auto find = [&](double until) {
-    reached = follow(until);
+    // If a motion cannot be followed further, what happens before is known nevertheless.
+    std::optional<UnansweredError> stopped;
+    try {
+      reached = follow(until);
+    } catch (const UnansweredError& error) {
+      if (to) throw;
+      stopped = error;
+      reached = until = Course::reached();
+    }
     std::vector<double> found = entries_into(
         stages_, from, until, [&](const StageRun& stage, std::size_t i) { return acts(stage, i) != wants_apart; });
     for (const Blow& blow : blows_)
       if (blow.action == action && blow.time >= from && blow.time <= until && !(wants_apart && stays_from(blow.time)))
         found.push_back(blow.time);
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    if (stopped && found.empty()) throw UnansweredError(*stopped);
     values_until_ = std::max(values_until_, found.empty() ? reached : found.back());
     return found;
   };

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/course/corners.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -175,6 +177,16 @@ bool Course::Piece::add_ending(const Expression& condition) {
     compared_size_ = std::max({compared_size_, std::abs(left), std::abs(right)});
     return left - right;
   };
+  for (const Expression& side : comparison->operands)
+    for (const CornerOf& corner : corners_of(motion_.situation_, side))
+      event.corners.push_back({[this, corner](double time, std::span<const double> q, std::span<const double> v) {
+                                 SolvedInstant& probe = *motion_.probes_[now_.states_now];
+                                 probe.move_to({time, stage_, {q.begin(), q.end()}, {v.begin(), v.end()}, acting_});
+                                 const double number = probe.number(corner.number, std::nullopt);
+                                 return corner.turns ? number * number : number;
+                               },
+                               corner.turns});
+  std::ranges::stable_sort(event.corners, std::greater(), &EventCorner::turns);
   // The event may have been reached just where the motion was followed to before.
   for (const Trajectory& piece : now_.pieces) {
     if (piece.empty()) continue;

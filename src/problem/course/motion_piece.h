@@ -62,6 +62,17 @@ class Course::Piece {
   // contacts that do then, with the directions in which they begin to slide.
   bool is_of_friction(std::size_t event) const { return event_contact_.contains(event); }
   std::vector<ContactState> at_their_limits(std::size_t event);
+  // Whether contacts at rest share what they carry, so that the friction of one by itself says nothing; when on the way
+  // no share keeps all of them at rest any more, and where the motion would be a little later. Nothing if one always
+  // does.
+  bool shares() const { return shares_; }
+  struct GivingWay {
+    double time = 0, later = 0;
+    State<double> there;  // later
+  };
+  std::optional<GivingWay> shares_give_way(const Trajectory& way);
+  // Finds the states from then on, at the end of the piece.
+  void let_shares_give_way(GivingWay giving);
   // The event of a contact that is at its limit where the piece begins and goes beyond it on the way; nothing if none
   // is.
   std::optional<std::size_t> beyond_limit_from_start(const Trajectory& way);
@@ -122,6 +133,8 @@ class Course::Piece {
   std::size_t push_of(const RoughContactOf<double>& contact) const;
   void accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a);
   bool moves_anything(const VelocityConstraint<double>& way);
+  [[noreturn]] void refuse_shares(const std::string& contact) const;
+  std::optional<double> margin_of_shares(double time, const State<double>& there);
   std::optional<Event> taut(const Component<double>& component);
   // Friction in joints that follows from what they carry (piece_joints.cpp).
   struct JointLoad {
@@ -163,6 +176,7 @@ class Course::Piece {
   std::map<std::size_t, std::size_t> event_cord_;
   std::vector<double> acceleration_;
   bool slips_turn_ = false;
+  bool shares_ = false;
   std::vector<JointLoad> loads_on_joints_;
   double compared_size_ = 0;  // of the numbers that the ending event compares
 };

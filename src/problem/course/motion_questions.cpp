@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "problem/course/corners.h"
 #include "problem/course/course.h"
 #include "problem/course/motion_features.h"
 #include "problem/course/work_counted.h"
@@ -103,6 +104,23 @@ class SidesApart {
   double natural_;
 };
 
+// number: of an expression along the motion.
+template <class Number>
+std::vector<CornerInTime> corners_in_time(const Situation& situation, const std::vector<Expression>& expressions,
+                                          const Number& number) {
+  std::vector<CornerInTime> turns, zeros;
+  for (const Expression& expression : expressions)
+    for (const CornerOf& corner : corners_of(situation, expression)) {
+      const NumberInTime value = number(corner.number);
+      if (corner.turns)
+        turns.push_back({[value](double time) { return value(time) * value(time); }, true});
+      else
+        zeros.push_back({value, false});
+    }
+  turns.insert(turns.end(), zeros.begin(), zeros.end());
+  return turns;
+}
+
 }  // namespace
 
 void Course::require_sides_apart(std::size_t stage, const Expression& ending) {
@@ -156,7 +174,11 @@ NumberInTime Course::number(const Expression& expression, const std::optional<Ex
 }
 
 NumberWithRate Course::with_rate(const Expression& expression, const std::optional<Expression>& axes) {
-  NumberWithRate both{number(expression, axes), {}, start_->natural_size(dimension(expression, axes))};
+  NumberWithRate both{
+      number(expression, axes),
+      {},
+      start_->natural_size(dimension(expression, axes)),
+      corners_in_time(situation_, {expression}, [&](const Expression& of) { return number(of, axes); })};
   const Name* name = expression.as<Name>();
   const NamedCoordinate* coordinate = name && name->primes == 0 ? start_->machine().coordinate(name->name) : nullptr;
   if (coordinate)
@@ -324,8 +346,13 @@ std::vector<double> Course::times(const Expression& condition, const std::option
   if (!same_kind(dimension(comparison->operands[0], axes), dimension(comparison->operands[1], axes)) &&
       left(from) != 0 && right(from) != 0)
     fail(situation_.file, condition.mark(), "the two sides of this comparison are of different kinds");
-  const MotionFeatures features(*this, {[left, right](double time) { return left(time) - right(time); }, {}},
-                                to_string(condition), situation_.file, condition.mark());
+  const MotionFeatures features(
+      *this,
+      {[left, right](double time) { return left(time) - right(time); },
+       {},
+       0,
+       corners_in_time(situation_, comparison->operands, [&](const Expression& of) { return number(of, axes); })},
+      to_string(condition), situation_.file, condition.mark());
   const Relation relation = comparison->relations.front();
   const int sense = relation == Relation::less || relation == Relation::less_equal         ? -1
                     : relation == Relation::greater || relation == Relation::greater_equal ? 1
@@ -368,7 +395,7 @@ std::vector<double> Course::times(const Expression& condition, const std::option
   }
   // What rests at first and then moves comes to hold as it begins to.
   std::optional<double> parts;
-  if ((relation == Relation::less || relation == Relation::greater) && !to && until > from && !apart.at(from)) {
+  if ((relation == Relation::less || relation == Relation::greater) && until > from && !apart.at(from)) {
     std::vector<double> begun;
     for (const StageRun& stage : stages_)
       for (const Trajectory& piece : stage.pieces)
@@ -376,7 +403,10 @@ std::vector<double> Course::times(const Expression& condition, const std::option
     if (const auto parting = apart.parting(nodes(from, until), begun); parting && parting->larger == sense)
       parts = parting->time;
   }
-  std::vector<double> found = parts ? std::vector{*parts} : features.zeros(begin, to, sense);
+  std::vector<double> found = parts && !to ? std::vector{*parts} : features.zeros(begin, to, sense);
+  constexpr double same = 1e-6;  // of the span
+  if (parts && to && (found.empty() || found.front() - *parts > same * (until - from)))
+    found.insert(found.begin(), *parts);
   values_until_ = std::max(values_until_, features.latest());
   tell({to_string(condition),
         [left = number_at_instants(comparison->operands[0], axes),
@@ -400,8 +430,13 @@ std::vector<double> Course::times(const Expression& condition, const std::option
 double Course::time_of(const Expression& quantity, double value, const Mark& mark) {
   const WorkCounted counted(*this);
   const NumberInTime number_at = number(quantity, std::nullopt);
-  const MotionFeatures features(*this, {[number_at, value](double time) { return number_at(time) - value; }, {}},
-                                to_string(quantity), situation_.file, mark);
+  const MotionFeatures features(
+      *this,
+      {[number_at, value](double time) { return number_at(time) - value; },
+       {},
+       0,
+       corners_in_time(situation_, {quantity}, [&](const Expression& of) { return number(of, std::nullopt); })},
+      to_string(quantity), situation_.file, mark);
   try {
     const double time = features.zeros(0, std::nullopt, 0).front();
     values_until_ = std::max(values_until_, time);

@@ -93,6 +93,7 @@ void Course::run(std::size_t stage, double until) {
   };
   std::optional<Turning> turning_from;
   std::optional<double> gave_way_at;  // at the start of a piece
+  std::optional<Piece::GivingWay> giving_way;
   while (!now.done && now.time < target) {
     if (now.slips) throw_slip(now);
     const Driving::Span smooth = smooth_span(stage, target);
@@ -134,9 +135,11 @@ void Course::run(std::size_t stage, double until) {
       rests_from_ = now.time;
     double until_then = std::min(smooth.end, now.end.value_or(target));
     if (turning_from) until_then = std::min(until_then, turning_from->time);
+    if (giving_way) until_then = std::min(until_then, giving_way->time);
     // Where something happened just before, what is left may be less than a step can be.
     constexpr double no_step = 64 * std::numeric_limits<double>::epsilon();
-    if (!turning_from && std::isfinite(until_then) && until_then - now.time <= no_step * std::abs(until_then)) {
+    if (!turning_from && !giving_way && std::isfinite(until_then) &&
+        until_then - now.time <= no_step * std::abs(until_then)) {
       now.time = until_then;
       if (now.end && now.time >= *now.end)
         now.done = true;
@@ -145,6 +148,13 @@ void Course::run(std::size_t stage, double until) {
       continue;
     }
     IntegrationResult result = piece.follow(until_then, work.left());
+    if (piece.shares() && !giving_way && (giving_way = piece.shares_give_way(result.trajectory))) {
+      if (giving_way->time > now.time)
+        now.states_fresh = true;  // the same again, up to then
+      else
+        piece.let_shares_give_way(*std::exchange(giving_way, std::nullopt));
+      continue;
+    }
     // What is let go at once with another, as two feet of a table that tips, carries nothing where the piece begins.
     if (const std::optional<std::size_t> action = piece.changes_from_start(result.trajectory)) {
       change_holds(stage, *action, piece);
@@ -173,6 +183,11 @@ void Course::run(std::size_t stage, double until) {
     piece.check_winding(result.trajectory);
     piece.check_nearness(result.trajectory);
     keep(stage, piece, result);
+    if (const std::optional<Piece::GivingWay> now_beyond = std::exchange(giving_way, std::nullopt);
+        now_beyond && result.ending != Ending::terminal_event) {
+      piece.let_shares_give_way(*now_beyond);
+      continue;
+    }
     if (turning_from) {
       let_turn(stage, turning_from->contacts);
       turning_from.reset();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "problem/language/diagnostic.h"
 
@@ -31,6 +32,13 @@ constexpr double measured_by = 1e-3;
 double spread_evenly(std::size_t k) {
   const double turns = (static_cast<double>(k) + 0.5) * (std::numbers::phi - 1);
   return turns - std::floor(turns);
+}
+
+std::vector<std::size_t> spread_order(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, spread_evenly);
+  return order;
 }
 
 std::optional<double> window_misfit(const std::function<std::optional<WitnessedState>(double)>& state_at, double from,

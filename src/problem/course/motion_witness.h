@@ -28,6 +28,8 @@ struct NaturalSizes {
 
 // Parts of one that are spread evenly over it, however many are taken.
 double spread_evenly(std::size_t k);
+// The numbers below `count` in an order of which each beginning is spread over them all.
+std::vector<std::size_t> spread_order(std::size_t count);
 
 // By how much the changes between two times differ from what the rates make of them, as a part of these changes; what
 // changes little is measured by a small part of its size. Nothing where the motion gives no state.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/motion/integrator/event_search.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -27,6 +28,26 @@ std::size_t NumberAlongMotion::count_of_samples(double from, double to) const {
   return motion_.nodes(from, to).size() * per_step;
 }
 
+// Between two samples the number then is as smooth as the motion.
+void NumberAlongMotion::add_corners(std::vector<double>& times) const {
+  std::vector<double> looks = times;
+  for (const CornerInTime& corner : corners_) {
+    const std::vector<double> found = corners_between(corner.number, corner.turns, looks);
+    looks.insert(looks.end(), found.begin(), found.end());
+    std::ranges::sort(looks);
+    times.insert(times.end(), found.begin(), found.end());
+  }
+  std::ranges::sort(times);
+  // What is left between two that are nearly one would be rounding.
+  constexpr double no_part = 1e-13;
+  const double first = times.front(), last = times.back(), none = no_part * (last - first);
+  std::vector<double> apart{first};
+  for (const double time : times)
+    if (time - apart.back() > none && last - time > none) apart.push_back(time);
+  apart.push_back(last);
+  times = std::move(apart);
+}
+
 NumberSamples NumberAlongMotion::samples(double from, double to) const {
   NumberSamples sampled;
   const std::vector<double> nodes = motion_.nodes(from, to);
@@ -37,6 +58,7 @@ NumberSamples NumberAlongMotion::samples(double from, double to) const {
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     for (int k = 0; k < per_step; ++k) sampled.time.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * k / per_step);
   sampled.time.push_back(nodes.back());
+  if (!corners_.empty()) add_corners(sampled.time);
   // The samples of an earlier question are the beginning of those for this one.
   std::size_t known = 0;
   while (known < sampled.time.size() && known < sampled_.time.size() && sampled.time[known] == sampled_.time[known])

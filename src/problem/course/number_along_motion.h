@@ -21,10 +21,17 @@ struct ExtremeFound {
   double settled = 0;
 };
 
+// What tells where a number has a corner: a number that is smooth along the motion has a zero there, or an extreme.
+struct CornerInTime {
+  std::function<double(double time)> number;
+  bool turns = false;  // in its extremes, else in its zeros
+};
+
 // A number along a motion, with its rate if the motion knows it.
 struct NumberWithRate {
   std::function<double(double time)> number, rate;
-  double natural_size = 0;  // the natural size of such a number; 0 if it has none
+  double natural_size = 0;              // the natural size of such a number; 0 if it has none
+  std::vector<CornerInTime> corners{};  // those in whose extremes it has some before those in whose zeros
 };
 
 struct NumberSamples {
@@ -42,6 +49,7 @@ class NumberAlongMotion {
         number_(std::move(number.number)),
         rate_(std::move(number.rate)),
         natural_size_(number.natural_size),
+        corners_(std::move(number.corners)),
         words_(std::move(words)),
         file_(std::move(file)),
         mark_(mark) {}
@@ -49,7 +57,8 @@ class NumberAlongMotion {
   double operator()(double time) const { return number_(time); }
   double natural_size() const { return natural_size_; }
 
-  // Several in each step of the integration. Throws UnansweredError if there are more than most_samples.
+  // Several in each step of the integration, and where there may be corners. Throws UnansweredError if there are more
+  // than most_samples.
   NumberSamples samples(double from, double to) const;
   std::size_t count_of_samples(double from, double to) const;
 
@@ -64,9 +73,12 @@ class NumberAlongMotion {
   [[noreturn]] void unanswered(const std::string& what, const std::string& hint = "") const;
 
  private:
+  void add_corners(std::vector<double>& times) const;
+
   FollowedMotion& motion_;
   std::function<double(double time)> number_, rate_;
   double natural_size_;
+  std::vector<CornerInTime> corners_;
   std::string words_, file_;
   Mark mark_;
   mutable NumberSamples sampled_;  // those from the start of the motion

@@ -5,10 +5,12 @@
 // for none.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/course/motion_piece.h"
 #include "problem/instant/contact_state_search.h"
+#include "problem/instant/sticking_margin.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/quantities/rough_contact.h"
@@ -126,6 +128,67 @@ double Course::Piece::limit_in_joint(const RoughContactOf<double>& contact) {
   return contact.resting * (contact.pressing.empty() ? 1 : pressing_now(contact, acceleration_));
 }
 
+void Course::Piece::refuse_shares(const std::string& contact) const {
+  const auto stated = std::ranges::find(motion_.situation_.contacts, contact, &Contact::name);
+  motion_.stops(stage_, stated->friction->mark,
+                "how contacts at rest share what they carry from " + with_digits(now_.time, 6) +
+                    " s on is open, and so is when '" + contact + "' begins to slide");
+}
+
+// How far the contacts at rest are from sliding, in the share that keeps them farthest from it. Nothing where that is
+// not known.
+std::optional<double> Course::Piece::margin_of_shares(double time, const State<double>& there) {
+  const MotionState state{inside(time), stage_, there.q, there.v, acting_};
+  SolvedInstant& probe = motion_.probe_in(now_.states_now, state);
+  probe.move_to(state);
+  probe.solve_forces();
+  return sticking_margin(probe);
+}
+
+// The margin has corners where another share is the best, so that it is looked at and closed in and is no event.
+std::optional<Course::Piece::GivingWay> Course::Piece::shares_give_way(const Trajectory& way) {
+  if (way.empty()) return std::nullopt;
+  constexpr int looks = 8;  // in each step
+  // Of the largest force: less is rounding; beside what touches and carries nothing there is no margin at all.
+  constexpr double rounding = 1e-9, clear = 1e-7;
+  const auto margin = [&](double time) {
+    return margin_of_shares(time, way.state(time)).value_or(std::numeric_limits<double>::infinity());
+  };
+  const double start = way.start_time(), none = margin(start) > rounding ? 0 : -rounding;
+  double within = start;
+  for (std::size_t i = 0; i < way.step_count(); ++i) {
+    const StepView step = way.step(i);
+    for (int k = 1; k <= looks; ++k) {
+      const double look = step.start + (step.end - step.start) * k / looks;
+      if (margin(look) >= none - rounding) {
+        within = look;
+        continue;
+      }
+      double beyond = look;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (within + beyond);
+        (margin(middle) >= none ? within : beyond) = middle;
+      }
+      double later = beyond;
+      for (double span = 1e-9 * motion_.pace_time_; later < look && margin(later) > -clear; span *= 2)
+        later = std::min(look, beyond + span);
+      return GivingWay{beyond, later, way.state(later)};
+    }
+  }
+  return std::nullopt;
+}
+
+// Where it gives way the states of before hold as well, but for rounding: what holds is seen a little later.
+void Course::Piece::let_shares_give_way(GivingWay giving) {
+  std::swap(now_.q, giving.there.q);
+  std::swap(now_.v, giving.there.v);
+  const std::size_t before = now_.states_now;
+  motion_.find_contact_states(stage_, giving.later, "");
+  std::swap(now_.q, giving.there.q);
+  std::swap(now_.v, giving.there.v);
+  if (now_.states_now == before) refuse_shares(machine_.rough_contacts.front().name);
+}
+
 bool Course::Piece::add_friction() {
   if (machine_.rough_contacts.empty()) return false;
   if (stays_at_rest()) return true;
@@ -189,13 +252,14 @@ bool Course::Piece::add_friction() {
     } else {
       accelerate(now_.q, now_.v, acceleration_);
       const std::size_t end = end_of_components(machine_.mechanism, first);
-      for (std::size_t k = first; k < end; ++k)
-        if (!dynamics_->component_determined(k) && moves_anything(way_along(contact, drawn_[k]))) {
-          const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
-          motion_.stops(stage_, stated->friction->mark,
-                        "how contacts at rest share what they carry from " + with_digits(now_.time, 6) +
-                            " s on is open, and so is when '" + contact.name + "' begins to slide");
-        }
+      bool open = false;
+      for (std::size_t k = first; k < end && !open; ++k)
+        open = !dynamics_->component_determined(k) && moves_anything(way_along(contact, drawn_[k]));
+      if (open) {
+        if (!shares_ && !margin_of_shares(now_.time, {now_.q, now_.v})) refuse_shares(contact.name);
+        shares_ = true;
+        continue;
+      }
       event.name = "friction at its limit";
       event.size = force > 0 ? force * force : 1;
       event.value = [this, &contact, first, end](double time, std::span<const double> q, std::span<const double> v) {

@@ -185,10 +185,23 @@ void refuse_at_wheels(const Entry& entry, const std::string& words, const std::s
              "state it at the wheel: over: [{wheel: {" + key.text + ": ...}}]");
 }
 
+// What is no property of a cord: it does not rebound, and keeps its length.
+void refuse_of_cords(const Entry& entry, const std::string& words, const std::string& file) {
+  for (const auto& [key, value] : entry.members) {
+    if (key.text == "restitution")
+      fail(file, key.mark, words + " that goes taut does not rebound: it has no restitution",
+           "state the jerk by itself, impacts: {jerk: {of: bob, at: A, pushes: A->O, restitution: 0.5}}");
+    if (key.text == "stiffness" || key.text == "free_length" || key.text == "damping")
+      fail(file, key.mark, words + " keeps its length: it has no " + key.text,
+           "state what stretches under springs:, where it pushes as well when it is shorter than its free_length");
+  }
+}
+
 }  // namespace
 
 Cord read_cord(const Key& name, const Entry& entry, const std::string& file) {
   refuse_at_wheels(entry, "cord '" + name.text + "'", file);
+  refuse_of_cords(entry, "cord '" + name.text + "'", file);
   const Members members(entry, file, {"cord"});
   auto cord = begun<Cord>(name);
   if (members.find("holds")) {

@@ -81,7 +81,8 @@ WhenAsk read_when(const Members& members, const std::string& file) {
   if (when.first && members.find("times"))
     fail(file, members.mark_of("times"), "an ask is for the first time or for all times, not both");
   when.condition = *members.expression(when.first ? "first_time" : "times");
-  const Call* call = when.condition.as<Call>();
+  const At* at = when.condition.as<At>();  // @ situation
+  const Call* call = (at ? at->expression : when.condition).as<Call>();
   const bool of_state =
       call && (call->function == "sticking" || call->function == "sliding" || call->function == "parting" ||
                call->function == "touching" || call->function == "taut");

@@ -31,6 +31,9 @@ Instant read_instant(const Key& name, const Entry& entry, const std::string& fil
       instant.found_when = parse_expression(value, file);
       continue;
     }
+    if (key.text == "from" || key.text == "to")
+      fail(file, key.mark, "an instant that is found by a condition is the first from the start on",
+           "ask for another time by itself, {first_time: turn' == 0, from: 2 s}");
     if (key.text == "nudged") {
       if (value.kind == Entry::Kind::list)
         for (const Entry& item : value.items)

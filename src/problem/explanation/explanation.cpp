@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <set>
 
 #include "poinsot/engine/work/work.h"
@@ -26,21 +27,14 @@ namespace {
 constexpr Work most_instant_work = 1'500'000'000;  // for all formulas of one instant
 constexpr std::size_t formula_terms = 3000;
 
-// Whether a datum appears in formulas as a number, since it makes terms vanish (0, 90 deg) or is a count (2).
-bool stays_number(double value, const Dimension& dimension) {
-  if (value == 0) return true;
-  if (dimension == dimensions::none) return value == std::round(value);
-  const double steps = value / (std::numbers::pi / 2);
-  constexpr double rounding = 1e-9;  // of a right angle that was stated in radians with nine digits
-  return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < rounding;
-}
-
 class Explainer {
  public:
   Explainer(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
             const SolvedStatement& solved, std::size_t solution)
       : statement_(statement),
+        sets_(sets),
         solved_(solved),
+        place_(solution),
         solution_(solved.solutions[solution]),
         numbers_(statement, sets, solved, solution) {}
 
@@ -50,17 +44,43 @@ class Explainer {
     add_models(first_tex);
     if (numbers) questions_ = numbers_.questions();
     explanation_.sections.push_back(principle_section(statement_, questions_));
+    const std::vector<ExplainedSection> at_limits = numbers ? sections_at_limits() : std::vector<ExplainedSection>{};
     add_limits();
     if (numbers) add_tables();
     if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
       explanation_.sections.push_back(std::move(claims));
     if (!numbers) return std::move(explanation_);
     or_left_out([&] { ask_for_stages(); });
-    for (const auto& [home, questions] : questions_.instants)
-      or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
+    or_left_out([&] { ask_for_starts(); });
+    // The motion leads from the instants at its start to those that come later.
+    const auto add_instants = [&](bool later) {
+      for (const auto& [home, questions] : questions_.instants)
+        if ((home.time || home.ending) == later)
+          or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
+    };
+    add_instants(false);
     for (const std::size_t index : questions_.motions) or_left_out([&] { add_motion(index); });
+    add_instants(true);
     add_neglecting();
+    explanation_.sections.insert(explanation_.sections.end(), at_limits.begin(), at_limits.end());
+    leave_out_said_inertia(explanation_.sections);
     return std::move(explanation_);
+  }
+
+  // The lines at the limit of a statement that asks for nothing else; none where there are no numbers at it.
+  std::vector<ExplainedSection> explain_limit() {
+    if (!numbers_.choose() || numbers_.limits().empty()) return {};
+    questions_ = numbers_.questions();
+    for (const auto& [home, questions] : questions_.instants) {
+      // Where other contacts are in another state at the limit its lines are left out.
+      SolvedInstant& instant = numbers_.sample().instant(home);
+      if (instant.forces_solved() && std::ranges::any_of(instant.one_sided_faults(), [&](const auto& fault) {
+            return !is_sticking(home.situation, instant.machine().mechanism.actions[fault.action].name);
+          }))
+        return {};
+      or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
+    }
+    return std::move(explanation_.sections);
   }
 
  private:
@@ -79,6 +99,70 @@ class Explainer {
           {"Left out", {{"The steps end here: " + error.diagnostics().front().message + ".", {}}}});
     }
     std::erase_if(explanation_.sections, [](const ExplainedSection& section) { return section.steps.empty(); });
+  }
+
+  // Of a limit beside other questions the lines above are not those at it: these stand by themselves.
+  std::vector<ExplainedSection> sections_at_limits() {
+    std::vector<ExplainedSection> sections;
+    for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
+      const Ask& ask = statement_.asks[k];
+      if (!ask.extremum || explains_limit(k)) continue;
+      const auto again = [&](std::size_t other) {
+        const Ask& same = statement_.asks[other];
+        return same.extremum && (explains_limit(other) || limits_apart_.contains(other)) &&
+               words_of_limit(same) == words_of_limit(ask) &&
+               situation_of(statement_, same) == situation_of(statement_, ask);
+      };
+      if (std::ranges::any_of(std::views::iota(std::size_t{0}, statement_.asks.size()), again)) continue;
+      Statement alone = statement_;
+      alone.asks = {ask};
+      alone.claims.clear();
+      if (!let_stick(alone.situations[situation_of(statement_, ask)], ask)) continue;
+      SolvedStatement found = solved_;
+      found.solutions[place_].asks = {solution_.asks[k]};
+      found.solutions[place_].claims.clear();
+      for (ExplainedSection& section : Explainer(alone, sets_, found, place_).explain_limit()) {
+        section.heading +=
+            std::string(", at the ") + (ask.extremum->largest ? "largest *" : "smallest *") + ask.extremum->name + "*";
+        const auto known = std::ranges::find(sections, section.heading, &ExplainedSection::heading);
+        if (known != sections.end()) section.heading += " of *" + ask.name + "*";
+        sections.push_back(std::move(section));
+        limits_apart_.insert(k);
+      }
+    }
+    return sections;
+  }
+  bool is_sticking(std::size_t index, const std::string& contact) const {
+    const auto& contacts = situation(index).contacts;
+    const auto found = std::ranges::find(contacts, contact, &Contact::name);
+    return found != contacts.end() && found->grip == Grip::sticks;
+  }
+  // What is said to stick at a limit sticks there, whatever it does with the data as they are stated. Returns false
+  // where that is not said of a contact by its name.
+  static bool let_stick(Situation& situation, const Ask& ask) {
+    for (const Expression& condition : ask.extremum->conditions) {
+      const Call* call = condition.as<Call>();
+      const bool sticks = call != nullptr && call->function == "sticking" && call->arguments.size() == 1;
+      const auto contact =
+          sticks ? std::ranges::find(situation.contacts, to_string(call->arguments.front().value), &Contact::name)
+                 : situation.contacts.end();
+      if (contact != situation.contacts.end()) {
+        contact->grip = Grip::sticks;
+      } else if (std::ranges::any_of(situation.contacts, [](const Contact& one) { return one.friction.has_value(); })) {
+        return false;
+      }
+    }
+    return true;
+  }
+  bool explains_limit(std::size_t ask) const {
+    return std::ranges::any_of(numbers_.limits(), [&](const auto& limit) { return limit.second == ask; });
+  }
+  static std::string words_of_limit(const Ask& ask) {
+    std::vector<std::string> conditions;
+    for (const Expression& condition : ask.extremum->conditions) conditions.push_back(code(condition));
+    return "Values of `" + ask.extremum->name + "` are tried from one end of its range until " + listed(conditions) +
+           (conditions.size() > 1 ? " no longer hold" : " no longer holds") +
+           "; the place of the change is then closed in.";
   }
 
   // Where squares are neglected and the forces do not take up what is missing, the equations hold for no numbers.
@@ -104,19 +188,14 @@ class Explainer {
     for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
       const Ask& ask = statement_.asks[k];
       if (!ask.extremum) continue;
-      std::vector<std::string> conditions;
-      for (const Expression& condition : ask.extremum->conditions)
-        conditions.push_back("`" + to_string(condition) + "`");
-      const bool explained = std::any_of(numbers_.limits().begin(), numbers_.limits().end(),
-                                         [&](const auto& limit) { return limit.second == k; });
-      std::string text = "Values of `" + ask.extremum->name + "` are tried from one end of its range until " +
-                         listed(conditions) + " no longer holds; the place of the change is then closed in.";
+      const bool apart = limits_apart_.contains(k), explained = explains_limit(k) || apart;
+      std::string text = words_of_limit(ask);
       // The same limit may be asked for in several units.
       if (std::ranges::any_of(section.steps, [&](const ExplainedStep& step) { return step.text.starts_with(text); }))
         continue;
       if (explained)
-        text += " The lines below are those of " + std::string(ask.extremum->largest ? "the largest" : "the smallest") +
-                " `" + ask.extremum->name + "`.";
+        text += std::string(apart ? " The last lines below" : " The lines below") + " are those of the " +
+                (ask.extremum->largest ? "largest" : "smallest") + " `" + ask.extremum->name + "`.";
       section.steps.push_back({text, {}});
     }
     if (!section.steps.empty()) explanation_.sections.push_back(std::move(section));
@@ -178,6 +257,25 @@ class Explainer {
     }
   }
 
+  // Of a motion that fixes data to be found by what is stated of it later it is told how it begins.
+  void ask_for_starts() {
+    for (const std::size_t index : questions_.motions) {
+      const Situation& stated = situation(index);
+      const Sample::Home start{index, 0, std::nullopt};
+      const bool later = std::ranges::any_of(
+          stated.instants, [&](const Instant& instant) { return is_later(stated, instant) && !instant.facts.empty(); });
+      const bool asked = std::ranges::any_of(questions_.instants, [&](const auto& one) {
+        return one.first.situation == index && one.second.asks_forces();
+      });
+      if (stated.find.empty() || !later || asked || stated.has_blow()) continue;
+      SolvedInstant& instant = numbers_.sample().instant(start);
+      instant.solve_forces();
+      InstantQuestions& questions = questions_.instants[start];
+      for (const Body& body : stated.bodies) questions.accelerated.insert(instant.machine().index.at(body.name));
+      questions.accelerations = true;
+    }
+  }
+
   void add_instant(const Sample::Home& home, const InstantQuestions& questions) {
     const Situation& stated = situation(home.situation);
     SolvedInstant& instant = numbers_.sample().instant(home);
@@ -186,7 +284,7 @@ class Explainer {
     // In the formulas every datum that is a single number is a letter.
     Situation lettered = stated;
     LetterValues point;
-    FormulaValues values = formula_values(home.situation, lettered, point);
+    FormulaValues values = numbers_.formula_values(home.situation, lettered, point);
     std::vector<std::string> open = numbers_.open_letters(home.situation);
     // So is what was found at values of letters.
     for (const SolvedUnknown& unknown : solution_.unknowns)
@@ -209,7 +307,15 @@ class Explainer {
     ExplanationTex tex(stated, std::move(open));
     if (formulas) tex.set_any_masses(masses.size());
     LetterValues in_shown_units;
-    for (const auto& [name, value] : point) in_shown_units[name] = value / tex.unit(values.at(name).dimension).factor;
+    const auto add_in_units = [&](const std::string& letter, const Dimension& dimension) {
+      if (const auto known = point.find(letter); known != point.end())
+        in_shown_units[letter] = known->second / tex.unit(dimension).factor;
+    };
+    for (const auto& [name, value] : values) {
+      add_in_units(name, value.dimension);
+      for (std::size_t k = 0; k < 3 && value.is_vector(); ++k)
+        add_in_units(component_letter(lettered, name, k), value.dimension);
+    }
     if (stated.habits.customary()) tex.set_letters(in_shown_units);
     const std::vector<Formula> factors = factors_of(values);
     const std::string suffix = suffix_of(home.situation) + instant_words(home);
@@ -246,7 +352,7 @@ class Explainer {
     if (!(motion.reached() > 0)) motion.follow(motion.pace_time());
     Situation lettered = motion.situation();
     LetterValues point;
-    FormulaValues values = formula_values(index, lettered, point);
+    FormulaValues values = numbers_.formula_values(index, lettered, point);
     const std::vector<std::string> masses = letters_of_any_masses(lettered, values, point);
     std::vector<std::string> open = numbers_.open_letters(index);
     if (masses.size() > 1) open.insert(open.end(), masses.begin(), masses.end());
@@ -261,9 +367,9 @@ class Explainer {
     if (general)
       if (const auto letters = general->letters_at(now)) tex.set_letters(general->in_shown_units(*letters, tex));
     bool derived = false;
-    for (ExplainedSection& section :
-         motion_sections(statement_, index, numbers_.sample(), general.get(),
-                         masses.size() == 1 ? masses.front() : std::string(), tex, suffix_of(index))) {
+    for (ExplainedSection& section : motion_sections(statement_, index, numbers_.sample(), general.get(),
+                                                     masses.size() == 1 ? masses.front() : std::string(),
+                                                     numbers_.settings()[index], tex, suffix_of(index))) {
       for (const ExplainedStep& step : section.steps)
         for (const ExplainedEquation& equation : step.equations) derived = derived || shows_rate(equation.tex);
       explanation_.sections.push_back(std::move(section));
@@ -359,56 +465,15 @@ class Explainer {
                                [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   }
 
-  // Data that are single numbers, letters, unknowns and standard gravity as letters; `point` receives their values.
-  FormulaValues formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const {
-    FormulaValues values;
-    const Settings& settings = numbers_.settings()[situation];
-    const auto add = [&](const std::string& name, double value, const Dimension& dimension, bool real) {
-      if (stays_number(value, dimension)) return;
-      point[name] = value;
-      values[name] = Value<Formula>::of_number(
-          Formula::letter(name, real || value < 0 ? poinsot::Sign::real : poinsot::Sign::positive), dimension);
-    };
-    const bool has_g = std::any_of(lettered.given.begin(), lettered.given.end(),
-                                   [](const NamedExpression& item) { return item.name == "g"; }) ||
-                       std::any_of(lettered.letters.begin(), lettered.letters.end(),
-                                   [](const Letter& letter) { return letter.name == "g"; }) ||
-                       settings.contains("g");
-    if (!has_g && lettered.gravity)
-      lettered.given.push_back(
-          {"g", built(Number{standard_gravity, si_unit(dimensions::acceleration), true, "9.80665 m/s^2"}, Mark{}), {}});
-    for (const NamedExpression& item : lettered.given) {
-      if (settings.contains(item.name)) continue;
-      const Unary* minus = item.value.as<Unary>();
-      const Number* number = minus ? minus->operand.as<Number>() : item.value.as<Number>();
-      if (!number) continue;
-      add(item.name, (minus && minus->sign == '-' ? -1 : 1) * number->value * number->unit.factor,
-          number->unit.dimension, number->unit.dimension == dimensions::angle);
-    }
-    for (const auto& [name, value] : settings) {
-      if (!value.is_number()) continue;
-      const auto letter = std::find_if(lettered.letters.begin(), lettered.letters.end(),
-                                       [&, wanted = name](const Letter& l) { return l.name == wanted; });
-      const bool open = std::any_of(solved_.open_letters.begin(), solved_.open_letters.end(),
-                                    [&, wanted = name](const Letter& l) { return l.name == wanted; });
-      if (open || letter != lettered.letters.end()) {
-        values[name] = formula_of(*letter);
-        point[name] = value.number;
-      } else {
-        add(name, value.number, value.dimension, value.dimension == dimensions::angle);
-      }
-      // A datum that is set to a special value stays a number.
-      if (!values.contains(name)) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
-    }
-    return values;
-  }
-
   const Statement& statement_;
+  const std::vector<std::pair<std::string, std::string>>& sets_;
   const SolvedStatement& solved_;
+  std::size_t place_ = 0;  // of the solution
   const Solution& solution_;
   ShownNumbers numbers_;
   StatementQuestions questions_;
   std::set<Sample::Home> uniform_stages_;  // by their starts
+  std::set<std::size_t> limits_apart_{};   // the asks for limits that have lines of their own
   Explanation explanation_;
 };
 

@@ -36,6 +36,7 @@ struct ExplainedStep {
 struct ExplainedSection {
   std::string heading;
   std::vector<ExplainedStep> steps;
+  bool of_inertia = false;  // which is said once
 };
 
 struct Explanation {

@@ -122,6 +122,7 @@ std::optional<ExplainedPoint> InstantExplainer::asked_point(const std::set<int>&
 
 void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& symbols) {
   const System system = system_of(bodies);
+  forces_unknown_ = forces_unknown_ || !system.unknown.empty();
   const std::vector<Symbol>& open = system.open;
   std::vector<int> massive;
   for (const int body : bodies)
@@ -251,8 +252,16 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     const bool said = std::find(vanishing.begin(), vanishing.end(), "$" + symbol.tex + "$") != vanishing.end();
     if (!known && !said) symbols.push_back(symbol);
   };
+  // A coordinate that moves no mass, such as the turning of a thin rod about itself, stands in no row.
+  const auto stands_in_rows = [&](const Symbol& symbol) {
+    return std::ranges::any_of(rows, [&](const Row& one) {
+      const auto row = static_cast<std::size_t>(&one - rows.data());
+      return std::ranges::any_of(
+          one.right, [&](const ShownTerm& term) { return term.symbol == symbol.tex && acts_in(term, row); });
+    });
+  };
   for (const Symbol& symbol : system.open)
-    if (!across.contains(symbol.tex)) list(symbol);
+    if (!across.contains(symbol.tex) && stands_in_rows(symbol)) list(symbol);
   across_.insert(across.begin(), across.end());
   for (std::size_t i = 0; i < system.unknown.size(); ++i)
     if ((!meet.moments_only || !meet.meets[i]) && !across.contains(system.unknown[i].tex)) list(system.unknown[i]);
@@ -267,19 +276,41 @@ void InstantExplainer::explain_balance() {
   std::vector<std::size_t> open;
   for (const std::size_t k : open_coordinates()) open.push_back(k);
   extra_conditions(open, symbols, section(sudden() ? "Impulse and momentum" : "Component equations"));
+  if (!found_along_motion()) {
+    explain_found();
+    tex_.hide_until_found({});
+  }
   list_unknowns(symbols);
-  explain_found();
+  sticking_step(symbols);
+  tex_.hide_until_found({});
+}
+
+// Whether what is stated of later instants fixes what is to be found, so that the equations of this one leave it open.
+bool InstantExplainer::found_along_motion() const {
+  return !situation_.find.empty() && std::ranges::any_of(situation_.instants, [&](const Instant& instant) {
+    return is_later(situation_, instant) && !instant.facts.empty();
+  });
+}
+
+// Those that have values, of a vector its components.
+std::vector<FoundDatum> InstantExplainer::found_data() const {
+  std::vector<FoundDatum> found;
+  for (const Unknown& unknown : situation_.find) {
+    const auto value = data_.settings().find(unknown.name);
+    if (value == data_.settings().end()) continue;
+    if (value->second.is_number()) found.push_back({unknown.name, unknown.unit.dimension, value->second.number});
+    if (!value->second.is_vector()) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double component = value->second.vector[k]; component != 0)
+        found.push_back({component_letter(situation_, unknown.name, k), unknown.unit.dimension, component});
+  }
+  return found;
 }
 
 // The data that are to be found: what the rows without unknown forces say of them, or what is left of that which is
 // stated, once the forces are solved for.
 void InstantExplainer::explain_found() {
-  UnknownConditions stated{{}, {}, factors_, {}};
-  for (const Unknown& unknown : situation_.find) {
-    const auto value = data_.settings().find(unknown.name);
-    if (value != data_.settings().end() && value->second.is_number())
-      stated.unknown.push_back({unknown.name, unknown.unit.dimension, value->second.number});
-  }
+  UnknownConditions stated{{}, found_data(), factors_, {}};
   if (stated.unknown.empty()) return;
   const auto speaks_of = [](const Formula& condition, const FoundDatum& datum) {
     const std::vector<std::string> letters = condition.letters();
@@ -296,15 +327,26 @@ void InstantExplainer::explain_found() {
   });
   if (!by_rows && formula_instant_) {
     stated.conditions.clear();
-    stated.from = needs_balance() ? "Solved for the forces, the equations leave with what is known"
-                                  : "What is known of the momenta gives";
+    if (!needs_balance()) {
+      stated.from = stated.from_several = "What is known of the momenta gives";
+    } else {
+      const std::string solved =
+          forces_unknown_ ? std::string("Once solved for the ") + (sudden() ? "impulses" : "forces") + ", there "
+                          : "With what is known there ";
+      const std::string known = forces_unknown_ ? " with what is known" : "";
+      stated.from = solved + "remains" + known;
+      stated.from_several = solved + "remain" + known;
+    }
     take(formula_instant_->remainders());
   }
   if (formula_instant_)
     for (const FoundDatum& datum : stated.unknown)
       if (neglects(datum.name)) stated.first_order.push_back(datum.name);
+  tex_.hide_until_found({});
   std::vector<ExplainedStep> steps = condition_steps(stated, letters_, tex_);
+  ExplainedSection& here = section("Unknowns");
   std::set<std::string> said;
+  choice_steps(stated.unknown, said, here);
   for (const ExplainedStep& step : steps)
     for (const FoundDatum& datum : stated.unknown)
       for (const ExplainedEquation& equation : step.equations)
@@ -325,8 +367,38 @@ void InstantExplainer::explain_found() {
       found.equations.push_back(tex_.equation(ExplanationTex::symbol(datum.name), one, datum.dimension));
   }
   if (!found.equations.empty()) steps.push_back(std::move(found));
-  ExplainedSection& here = section("Unknowns");
   for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+}
+
+// Which of the impulses act of which a number is chosen; what is to be found of the others vanishes.
+void InstantExplainer::choice_steps(const std::vector<FoundDatum>& found, std::set<std::string>& said,
+                                    ExplainedSection& here) {
+  for (const Choice& choice : situation_.choose) {
+    std::vector<std::string> all, acting, vanishing;
+    for (const std::string& name : choice.of) {
+      const auto impulse = std::ranges::find(situation_.impulses, name, &Impulse::name);
+      if (impulse == situation_.impulses.end()) return;
+      std::set<std::string> names;
+      for (const auto* part : {&impulse->lasts, &impulse->value, &impulse->force, &impulse->couple})
+        if (*part) collect_names(**part, names);
+      bool idle = false;
+      for (const FoundDatum& datum : found) {
+        if (datum.value != 0 || !names.contains(datum.name)) continue;
+        idle = true;
+        said.insert(datum.name);
+        vanishing.push_back("$" + ExplanationTex::symbol(datum.name) + " = 0$");
+      }
+      all.push_back("*" + name + "*");
+      if (!idle) acting.push_back(all.back());
+    }
+    if (vanishing.empty() || acting.empty()) return;
+    here.steps.push_back(
+        {"*" + choice.name + "*: of " + listed(all) +
+             (choice.least_total ? ", those act that meet what is known with the least sum: "
+                                 : ", exactly " + std::to_string(choice.exactly) + " act. What is known is met with ") +
+             listed(acting) + ", so that " + listed(vanishing) + ".",
+         {}});
+  }
 }
 
 // Whether squares of an unknown are neglected.

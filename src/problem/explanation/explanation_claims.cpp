@@ -24,7 +24,7 @@ class ClaimExplainer {
       : stated_(stated), solved_(solved), tex_(tex) {}
 
   std::vector<ExplainedStep> steps() {
-    std::string text = code(stated_.text);
+    std::string text = code(stated_.text) + (stated_.situation.empty() ? "" : " in *" + stated_.situation + "*");
     if (!solved_.assumptions.empty()) {
       std::vector<std::string> assumed;
       for (const std::string& assumption : solved_.assumptions) assumed.push_back(code(assumption));

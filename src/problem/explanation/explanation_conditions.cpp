@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/instant/sticking_margin.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -11,6 +13,18 @@ namespace {
 void note_once(ExplainedSection& section, const std::string& text) {
   if (std::ranges::none_of(section.steps, [&](const ExplainedStep& step) { return step.text == text; }))
     section.steps.push_back({text, {}});
+}
+
+// An equation as people write it: its first term is positive.
+void with_positive_lead(std::vector<ShownTerm>& left, Shown& right) {
+  const auto lead = std::ranges::find_if(left, [](const ShownTerm& term) { return term.coefficient.number != 0; });
+  if (lead == left.end() || lead->coefficient.number > 0) return;
+  const auto reversed = [](Shown& value) {
+    value.number = -value.number;
+    if (value.formula) value.formula = -*value.formula;
+  };
+  for (ShownTerm& term : left) reversed(term.coefficient);
+  reversed(right);
 }
 
 }  // namespace
@@ -30,14 +44,91 @@ void InstantExplainer::friction_step(std::size_t i, ExplainedSection& here) {
                           {}});
 }
 
-// Whether a coordinate of a free body leads out of the plane in which everything moves.
-bool InstantExplainer::leaves_plane(std::size_t k) const {
-  if (!everything_in_) return false;
+// By Coulomb's law the contacts stick whose friction the equations tell; what they leave open is shared so that they
+// do. At a limit of sticking there is one share, and the law holds as an equality where something is about to slip.
+void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
+  if (sudden() || !figures_.numbers.forces || tex_.letters_open()) return;
+  const std::optional<StickingForces> sticking = sticking_forces(solved_);
+  if (!sticking) return;
+  const std::size_t first = solve::force_unknowns(mechanism()).accelerations;
+  const auto force = [&](std::size_t column) {
+    return symbol_of({UnknownForce::Kind::component, column - first, column, 1});
+  };
+  // Of the force that the contact could take: a limit is found to some ten digits.
+  constexpr double about_to_slip = 1e-6;
+  double size = 0;
+  for (const FrictionCone& cone : sticking->cones) size = std::max(size, std::abs(force(cone.push).value));
+  std::vector<std::string> idle, slipping;
+  std::vector<ExplainedEquation> shares, laws, at_limit;
+  bool open = false;
+  for (const FrictionCone& cone : sticking->cones) {
+    const Symbol push = force(cone.push);
+    // What is not cut free tells nothing here.
+    if (std::ranges::find(unknowns, push.tex, &Symbol::tex) == unknowns.end()) continue;
+    std::vector<Symbol> friction{force(cone.first)};
+    if (cone.second) friction.push_back(force(*cone.second));
+    const auto action = static_cast<std::size_t>(mechanism().components[cone.push - first].action);
+    const std::string name = "*" + mechanism().actions[action].name + "*";
+    std::erase_if(friction, [&](const Symbol& one) {
+      return across_.contains(one.tex) || is_rounding(one.value, noise_size(dimensions::force));
+    });
+    open = open || !push.determined || std::ranges::any_of(friction, [](const Symbol& one) { return !one.determined; });
+    shares.push_back(tex_.equation(push.tex, known_number(push.value), dimensions::force));
+    for (const Symbol& one : friction)
+      shares.push_back(tex_.equation(one.tex, known_number(one.value), dimensions::force));
+    if (!(push.value > about_to_slip * size)) {
+      idle.push_back(name);
+      continue;
+    }
+    double amount = 0;
+    std::string sum;
+    for (const Symbol& one : friction) {
+      amount = std::hypot(amount, one.value);
+      sum += (sum.empty() ? "" : " + ") + one.tex + "^{2}";
+    }
+    const std::string left = friction.empty()       ? "0"
+                             : friction.size() == 1 ? "\\left|" + friction.front().tex + "\\right|"
+                                                    : "\\sqrt{" + sum + "}";
+    const double limit = cone.coefficient * push.value;
+    const std::string coefficient = tex_.number(cone.coefficient, dimensions::none) + "\\,";
+    const auto in_newtons = [&](double value) { return tex_.with_unit(value, dimensions::force); };
+    if (amount > (1 - about_to_slip) * limit) {
+      slipping.push_back(name);
+      at_limit.push_back(
+          {"", left + " = " + coefficient + push.tex + " = " + in_newtons(limit), {amount, limit, limit}, limit});
+    } else {
+      laws.push_back({"",
+                      left + (friction.empty() ? "" : " = " + in_newtons(amount)) + " < " + coefficient + push.tex +
+                          " = " + in_newtons(limit),
+                      {},
+                      0});
+    }
+  }
+  ExplainedSection& here = section("Friction");
+  const auto all_names = [&](const std::vector<std::string>& names, const char* one, const char* many) {
+    return listed(names) + (names.size() > 1 ? many : one);
+  };
+  if (!at_limit.empty())
+    here.steps.push_back(
+        {all_names(slipping, " is", " are") + " about to slip, where Coulomb's law holds as an equality:", at_limit});
+  if (!idle.empty()) here.steps.push_back({all_names(idle, " carries", " carry") + " nothing.", {}});
+  if (open)
+    here.steps.push_back({at_limit.empty() && idle.empty()
+                              ? "How the contacts share the load is left open; one way in which all of them stick is"
+                              : "With this the forces are",
+                          shares});
+  if (!laws.empty())
+    here.steps.push_back({"By Coulomb's law a contact sticks whose friction is less than it can be:", laws});
+}
+
+// Whether a coordinate of a free body leads out of a plane, such as that in which everything moves.
+bool InstantExplainer::leads_across(std::size_t k, Plane plane) const {
+  if (!plane) return false;
   for (int i = 0; i < mechanism().tree.body_count(); ++i) {
     const auto& body = mechanism().tree.body(i);
     const int at = static_cast<int>(k) - body.v;
     if (at < 0 || at >= velocity_size(body.joint)) continue;
-    const bool across = static_cast<std::size_t>(at % 3) == *everything_in_;
+    const bool across = static_cast<std::size_t>(at % 3) == *plane;
     return body.joint == JointType::free && across != solve::coordinate_turns(mechanism().tree, static_cast<int>(k));
   }
   return false;
@@ -47,6 +138,7 @@ bool InstantExplainer::leaves_plane(std::size_t k) const {
 void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed,
                                         ExplainedSection& here) {
   const InstantFigures<double>& numbers = figures_.numbers;
+  std::vector<std::string> holding, held;  // what holds, and what does not begin to move
   const Dimension dimension = sudden() ? dimensions::velocity : dimensions::acceleration;
   const auto coordinate_terms = [&](const auto& coefficient) {
     std::vector<ShownTerm> terms;
@@ -106,22 +198,23 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       state.set_accelerations(std::vector<Scalar>(figures.now.accelerations().size(), Scalar(0)));
       return solve::constraint_row(state, figures.mechanism().constraints[i]);
     };
-    const std::vector<ShownTerm> left = coordinate_terms(
+    std::vector<ShownTerm> left = coordinate_terms(
         [&](std::size_t k) { return shown([&](const auto& figures) { return row(figures).coefficients[k]; }); });
     if (left.empty()) {
       if (constraint.action < 0) continue;
       const std::vector<std::size_t> blocked = sudden() ? std::vector<std::size_t>{} : blocked_coordinates();
       const std::vector<double> numbers_row = row(numbers).coefficients;
-      for (const std::size_t k : blocked)
-        if (!is_rounding(numbers_row[k], solved_.scales().length) && !leaves_plane(k))
-          note_once(here, "Held by *" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name +
-                              "*, nothing begins to move there: $" + symbol_of_coordinate(k, false).tex + " = 0$.");
+      for (const std::size_t k : blocked) {
+        if (is_rounding(numbers_row[k], solved_.scales().length) || leaves_plane(k)) continue;
+        add_once(holding, "*" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name + "*");
+        add_once(held, "$" + symbol_of_coordinate(k, false).tex + " = 0$");
+      }
       continue;
     }
     // What holds across the plane of the motion says nothing of what moves in it.
     if (std::ranges::all_of(left, [&](const ShownTerm& term) { return across_.contains(term.symbol); })) continue;
     // The terms of coordinates with given motion go to the right side.
-    const Shown right = shown([&](const auto& figures) {
+    Shown right = shown([&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
       const auto all = row(figures);
       Scalar rest = sudden() ? Scalar(0) : all.bias;
@@ -131,10 +224,11 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
       return -rest;
     });
     std::string words = constraint.words;
-    std::replace(words.begin(), words.end(), '\'', '*');
+    words = with_emphasis(std::move(words));
     // A direction in numbers is that of the letters that were drawn: then only what holds is named.
     if (tex_.letters_open() && constraint.action >= 0 && words.back() == ']')
       words = "*" + mechanism().actions[static_cast<std::size_t>(constraint.action)].name + "*";
+    with_positive_lead(left, right);
     ExplainedStep step{words + ":", tex_.balance("", left, {{right}}, dimension, 1e-9 * solved_.scales().length,
                                                  natural_coefficient())};
     if (step.equations.empty()) continue;
@@ -142,6 +236,10 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
                         (sudden() ? "velocities after the blow:" : "accelerations:"));
     here.steps.push_back(std::move(step));
   }
+  if (!held.empty())
+    here.steps.push_back({"Held by " + poinsot::problem::listed(holding) +
+                              ", nothing begins to move there: " + poinsot::problem::listed(held) + ".",
+                          {}});
 }
 
 // Shows what joints, cords and contacts beyond the tree of joints require of velocities that are not stated.
@@ -172,7 +270,7 @@ void InstantExplainer::velocity_conditions() {
       if (std::none_of(listed.begin(), listed.end(), [&](const Symbol& known) { return known.tex == symbol.tex; }))
         listed.push_back(symbol);
     }
-    const Shown right = shown([&](const auto& figures) {
+    Shown right = shown([&](const auto& figures) {
       using Scalar = ScalarOf<decltype(figures)>;
       Scalar rest(0);
       for (std::size_t k = 0; k < count; ++k)
@@ -181,7 +279,8 @@ void InstantExplainer::velocity_conditions() {
     });
     if (left.size() < 2 && is_rounding(right.number, noise_size(dimensions::velocity))) continue;
     std::string words = mechanism().constraints[i].words;
-    std::replace(words.begin(), words.end(), '\'', '*');
+    words = with_emphasis(std::move(words));
+    with_positive_lead(left, right);
     ExplainedStep step{words + ":", tex_.balance("", left, {{right}}, dimensions::velocity,
                                                  noise_size(dimensions::velocity), natural_coefficient())};
     if (!step.equations.empty()) steps.push_back(std::move(step));

@@ -82,7 +82,7 @@ ExplainedSection& InstantExplainer::section(const std::string& heading) {
   const std::string full = heading + suffix_;
   for (ExplainedSection& known : explanation_.sections)
     if (known.heading == full) return known;
-  return explanation_.sections.emplace_back(ExplainedSection{full, {}});
+  return explanation_.sections.emplace_back(ExplainedSection{full, {}, heading == "Inertia"});
 }
 
 std::string InstantExplainer::body_name(int body) const { return mechanism().tree.name(body); }
@@ -243,12 +243,6 @@ void InstantExplainer::explain_masses() {
   ExplainedSection& here = section("Inertia");
   for (const int body : questions_.masses)
     if (mechanism().tree.body(body).inertia.mass > 0) inertia_step(here, body, nullptr);
-}
-
-bool InstantExplainer::is_particle(int body) const {
-  return mechanism().tree.body(body).inertia.mass > 0 &&
-         is_rounding(size_of(mass_of(figures_.numbers.now, body).inertia_center),
-                     noise_size(dimensions::moment_of_inertia));
 }
 
 // Shows the present motion of a body, as far as it was not shown before.
@@ -484,6 +478,11 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
 void InstantExplainer::explain(const std::string& suffix, bool followed) {
   followed_ = followed;
   suffix_ = suffix;
+  if (needs_balance() || (!followed && states_momenta())) {
+    std::vector<std::string> sought;
+    for (const FoundDatum& datum : found_data()) sought.push_back(datum.name);
+    tex_.hide_until_found(std::move(sought));
+  }
   if (needs_balance())
     explain_balance();
   else

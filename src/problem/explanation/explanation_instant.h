@@ -14,6 +14,7 @@
 #include "problem/explanation/explanation_figures.h"
 #include "problem/explanation/explanation_questions.h"
 #include "problem/explanation/explanation_tex.h"
+#include "problem/explanation/explanation_unknowns.h"
 #include "problem/formulas/formula_instant.h"
 
 namespace poinsot::problem {
@@ -45,6 +46,11 @@ template <class Scalar>
 Scalar scalar_of(const InstantFigures<Scalar>& figures);
 template <class Figures>
 using ScalarOf = decltype(scalar_of(std::declval<Figures>()));
+
+// The letter for a component of a vector that is to be found: J_x.
+inline std::string component_letter(const Situation& situation, const std::string& vector, std::size_t k) {
+  return vector + "_" + situation.axes[k];
+}
 
 class InstantExplainer {
  public:
@@ -155,7 +161,10 @@ class InstantExplainer {
   bool needs_balance() const;
   bool states_momenta() const;
   void explain_balance();
+  std::vector<FoundDatum> found_data() const;
+  bool found_along_motion() const;
   void explain_found();
+  void choice_steps(const std::vector<FoundDatum>& found, std::set<std::string>& said, ExplainedSection& here);
   bool neglects(const std::string& unknown) const;
   std::size_t action_of(const UnknownForce& force) const;
   bool is_asked(const UnknownForce& force) const;
@@ -167,6 +176,7 @@ class InstantExplainer {
   Symbol symbol_of(const UnknownForce& force) const;
   // Rates: whether for its velocity, otherwise for its acceleration.
   Symbol symbol_of_coordinate(std::size_t k, bool rates) const;
+  std::string index_among_others(const NamedCoordinate& coordinate) const;
   void velocity_conditions();
   System system_of(const std::set<int>& bodies) const;
   std::vector<std::string> turned_axes(const System& system) const;
@@ -202,9 +212,14 @@ class InstantExplainer {
   void friction_step(std::size_t impact, ExplainedSection& section);
   void extra_conditions(const std::vector<std::size_t>& open, std::vector<Symbol>& listed, ExplainedSection& section);
   void list_unknowns(const std::vector<Symbol>& listed);
+  // The name of a direction of the statement along which, or against which (sign -1), a vector is; "" for another.
+  std::pair<std::string, double> named_direction(const Vector3<double>& along) const;
+  void sticking_step(const std::vector<Symbol>& listed);
   std::vector<std::size_t> open_coordinates() const;
   std::vector<std::size_t> blocked_coordinates() const;
-  bool leaves_plane(std::size_t k) const;
+  bool leaves_plane(std::size_t k) const { return leads_across(k, everything_in_); }
+  bool leads_across(std::size_t k, Plane plane) const;
+  bool stays_at_rest(int body) const;
 
   bool sudden() const { return figures_.numbers.before.has_value(); }
   const Mechanism<double>& mechanism() const { return figures_.numbers.mechanism(); }
@@ -215,7 +230,7 @@ class InstantExplainer {
   SolvedInstant& solved_;
   FormulaInstant* formula_instant_;
   const LetterValues& letters_;
-  const ExplanationTex& tex_;
+  ExplanationTex tex_;  // which hides data until they are found
   const InstantQuestions& questions_;
   Explanation& explanation_;
   ExplainedFigures figures_;
@@ -235,6 +250,7 @@ class InstantExplainer {
   std::map<std::string, OpenRates> open_rates_;
   bool any_said_ = false;
   Plane everything_in_{};         // the axis across which nothing moves
+  bool forces_unknown_ = false;   // whether some unknown force acts on what has been cut free
   std::set<std::string> across_;  // unknowns across the planes of motions, of which nothing is said
   std::vector<Formula> factors_;  // that terms of a condition may share
 };

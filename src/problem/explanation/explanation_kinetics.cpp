@@ -105,13 +105,31 @@ void InstantExplainer::rate_step(ExplainedSection& section, int body, const Expl
   });
   const ShownVector turned =
       shown_vector([&](const auto& figures) { return cross(figures.now.workspace().motion[at].w, momentum(figures)); });
-  if (tex_.can_show(spin) && norm(spin.number) > 1e-9 * natural)
-    step_rate.equations.push_back(tex_.equation("I_{" + label + "}\\boldsymbol{\\alpha}", spin, dimensions::moment));
-  if (tex_.can_show(turned) && norm(turned.number) > 1e-9 * natural)
+  const bool turns = norm(turned.number) > 1e-9 * natural;
+  const std::string of_alpha = "I_{" + label + "}\\boldsymbol{\\alpha}";
+  if (turns && tex_.can_show(spin) && norm(spin.number) > 1e-9 * natural)
+    step_rate.equations.push_back(tex_.equation(of_alpha, spin, dimensions::moment));
+  if (turns && tex_.can_show(turned))
     step_rate.equations.push_back(tex_.equation("\\boldsymbol{\\omega}\\times" + own, turned, dimensions::moment));
   if (tex_.can_show(total))
-    step_rate.equations.push_back(tex_.equation("\\dot{\\mathbf{H}}_{" + label + "}", total, dimensions::moment));
+    step_rate.equations.push_back(tex_.equation(
+        "\\dot{\\mathbf{H}}_{" + label + "}" + (turns ? std::string() : " = " + of_alpha), total, dimensions::moment));
   section.steps.push_back(std::move(step_rate));
+}
+
+bool InstantExplainer::is_particle(int body) const {
+  return mechanism().tree.body(body).inertia.mass > 0 &&
+         is_rounding(size_of(mass_of(figures_.numbers.now, body).inertia_center),
+                     noise_size(dimensions::moment_of_inertia));
+}
+
+// Whether a body neither moves nor begins to.
+bool InstantExplainer::stays_at_rest(int body) const {
+  const auto& motion = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)];
+  const Vector3<double> center = mass_of(figures_.numbers.now, body).center;
+  const auto rate = momentum_rate_of(figures_.numbers.now, {body}, center);
+  return norm(motion.w) == 0 && norm(motion.v) == 0 && norm(rate.linear) <= 1e-9 * natural_size(dimensions::force) &&
+         norm(rate.angular) <= 1e-9 * natural_size(dimensions::moment);
 }
 
 void InstantExplainer::kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point,
@@ -124,7 +142,8 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
     inertia_step(section("Inertia"), body, fixed ? &point : nullptr, plane);
     ExplainedSection& kinetic = section(heading);
     const auto at = static_cast<std::size_t>(body + 1);
-    const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
+    const ShownVector w = clean(shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; }),
+                                dimensions::angular_velocity);
     if (norm(w.number) > 0 && tex_.can_show(w) && !sudden()) {
       for (const std::string& index : {std::string(), "_{" + ExplanationTex::upright(body_name(body)) + "}"})
         motion_said_.insert(body_name(body) + "\\boldsymbol{\\omega}" + index);
@@ -132,7 +151,20 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
                                {tex_.equation("\\boldsymbol{\\omega}", w, dimensions::angular_velocity)}});
     }
     if (sudden()) continue;
-    if (!system.open.empty()) {
+    const bool open = std::ranges::any_of(system.plan.open, [&](std::size_t k) { return !leads_across(k, plane); });
+    if (!open && stays_at_rest(body)) {
+      OpenRates& told = open_rates_[heading + ", at rest"];
+      if (told.bodies.empty()) {
+        told.step = kinetic.steps.size();
+        kinetic.steps.emplace_back();
+      }
+      told.bodies.push_back("*" + body_name(body) + "*");
+      kinetic.steps[told.step].text =
+          listed(told.bodies) + (told.bodies.size() > 1 ? " stay at rest: nothing stands on their kinetic sides."
+                                                        : " stays at rest: nothing stands on its kinetic side.");
+      continue;
+    }
+    if (open) {
       const auto& link = mechanism().tree.body(body);
       std::string text = " change is unknown; the right sides below ";
       if (link.parent == ground && link.joint == JointType::revolute && fixed)

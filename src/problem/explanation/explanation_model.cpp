@@ -335,7 +335,9 @@ ExplainedSection model_section(const Situation& situation, const Settings& setti
     for (const Fact& fact : instant.facts)
       facts.push_back(code(to_string(fact.quantity) + " = " + to_string(fact.value)));
     for (const auto& [name, mark] : instant.nudged) facts.push_back(code(name) + " is disturbed a little");
-    if (!facts.empty()) lines.push_back("known at *" + instant.name + "*: " + listed(facts));
+    // What holds at the only instant stands under `facts:`.
+    const std::string when = instant.name == "facts" ? "" : " at *" + instant.name + "*";
+    if (!facts.empty()) lines.push_back("known" + when + ": " + listed(facts));
   }
   std::vector<std::string> unknown;
   for (const Unknown& item : situation.find) unknown.push_back(code(item.name));
@@ -396,7 +398,8 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
     if (!asked.free_motions.empty())
       add("Without a couple about the mass center the angular momentum about it keeps its size and its direction "
           "(Eq. 18.46): how a body turns on follows from how it turns now.");
-    if (section.steps.empty() && !asked.moving.empty()) add("The velocities follow from how the bodies are held.");
+    if (section.steps.empty() && !asked.moving.empty() && !home.time && !home.ending)
+      add("The velocities follow from how the bodies are held.");
     if (section.steps.empty() && !asked.masses.empty())
       add("Mass, mass center and inertia are sums over the parts, moved by parallel axes (Eqs. 18.5, 18.6).");
   }

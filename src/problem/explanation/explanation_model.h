@@ -18,4 +18,7 @@ ExplainedSection model_section(const Situation& situation, const Settings& setti
 // Names the principle that answers the questions about these instants, and why it does.
 ExplainedSection principle_section(const Statement& statement, const StatementQuestions& questions);
 
+// Leaves out sections on inertia that say what one before them has said: of what a blow or the time does not change.
+void leave_out_said_inertia(std::vector<ExplainedSection>& sections);
+
 }  // namespace poinsot::problem

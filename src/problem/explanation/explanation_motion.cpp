@@ -27,7 +27,8 @@ void divide_by_mass(KeptValue& kept, const std::string& mass) {
 
 std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation_index, Sample& sample,
                                               const GeneralMotion* general, const std::string& any_mass,
-                                              const ExplanationTex& tex, const std::string& suffix) {
+                                              const Settings& settings, const ExplanationTex& tex,
+                                              const std::string& suffix) {
   const Situation& situation = statement.situations[situation_index];
   Course& motion = sample.motion(situation_index);
   ExplainedSection section{"Motion through time" + suffix, {}};
@@ -40,9 +41,10 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
   for (const std::string& method : motion.methods())
     section.steps.push_back({"How it is followed: " + method + ".", {}});
   for (std::string happening : motion.happenings()) {
+    // Its times and energies are those of letters that were drawn.
+    if (tex.numbers_open()) break;
     happening.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(happening.front())));
-    std::ranges::replace(happening, '\'', '*');
-    section.steps.push_back({happening + ".", {}});
+    section.steps.push_back({with_emphasis(happening) + ".", {}});
   }
   const double reached = motion.reached();
   if (reached > 0 && situation.stages.size() <= 1) {
@@ -84,9 +86,16 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
   if (!conditions.empty()) {
     std::vector<std::string> unknown;
     for (const Unknown& item : situation.find) unknown.push_back("`" + item.name + "`");
-    section.steps.push_back({"What is stated of it later, " + listed(conditions) + ", fixes " + listed(unknown) +
-                                 ": the motion is followed for one value after the other until it holds.",
-                             {}});
+    ExplainedStep found{"What is stated of it later, " + listed(conditions) + ", fixes " + listed(unknown) +
+                            ": the motion is followed for one value after the other until it holds.",
+                        {}};
+    for (const Unknown& item : situation.find)
+      if (const auto value = settings.find(item.name);
+          value != settings.end() && value->second.is_number() && !tex.numbers_open())
+        found.equations.push_back(
+            tex.equation(ExplanationTex::symbol(item.name), known_number(value->second.number), item.unit.dimension));
+    if (!found.equations.empty()) found.text.back() = ':';
+    section.steps.push_back(std::move(found));
   }
   if (section.steps.empty()) return {};
   return {section};
@@ -223,10 +232,9 @@ ExplainedSection vectors_section(const Statement& statement, const Solution& sol
   ExplainedStep step{"What is asked for follows from these vectors:", {}};
   for (std::size_t k = 0; k < statement.asks.size(); ++k) {
     const Ask& ask = statement.asks[k];
-    // Without a value of its own it stands among the answers as a formula.
-    if (ask.of.size() != 1 || ask.is_list || ask.table || ask.when || ask.extremum ||
-        solution.asks[k].state != AskState::found)
-      continue;
+    if (ask.of.size() != 1 || ask.is_list || ask.table || ask.when || ask.extremum) continue;
+    const bool as_formula = solution.asks[k].state == AskState::needs_letters && solution.asks[k].formula.has_value();
+    if (solution.asks[k].state != AskState::found && !as_formula) continue;
     const At* at = ask.of.front().as<At>();
     const Call* call = (at ? at->expression : ask.of.front()).as<Call>();
     if (call == nullptr || (call->function != "angle" && call->function != "acute_angle" && call->function != "norm"))
@@ -242,7 +250,14 @@ ExplainedSection vectors_section(const Statement& statement, const Solution& sol
     const std::optional<Value<double>> first = vector(call->argument(""));
     if (!first) continue;
     const std::string symbol = ExplanationTex::symbol(ask.name);
-    if (call->function == "norm") {
+    if (as_formula) {
+      const std::string name = call->function == "norm" ? vector_tex(*call->argument(""), tex) : "";
+      const auto formula = solution.asks[k].formula->is_number()
+                               ? ExplanationTex::formula(solution.asks[k].formula->number)
+                               : std::nullopt;
+      if (!name.empty() && formula)
+        step.equations.push_back({"", symbol + " = " + size_tex(name) + " = " + *formula, {}, 0});
+    } else if (call->function == "norm") {
       if (!tex.numbers_open()) add_asked_size(step, symbol, *call->argument(""), first->vector, first->dimension, tex);
     } else if (const std::optional<Value<double>> second = vector(call->argument("to"))) {
       add_asked_angle(step, symbol, *call, first->vector, second->vector, tex);

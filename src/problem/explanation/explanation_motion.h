@@ -12,11 +12,12 @@
 namespace poinsot::problem {
 
 // general: the motion in formulas, if it has any; any_mass: the letter of the one mass that may be any, "" if there is
-// none; suffix: follows the headings. The motion has been followed for some
+// none; settings: with the values of what is found; suffix: follows the headings. The motion has been followed for some
 // time. Throws StatementError as the motion does.
 std::vector<ExplainedSection> motion_sections(const Statement& statement, std::size_t situation, Sample& sample,
                                               const GeneralMotion* general, const std::string& any_mass,
-                                              const ExplanationTex& tex, const std::string& suffix);
+                                              const Settings& settings, const ExplanationTex& tex,
+                                              const std::string& suffix);
 
 // Whether all accelerations keep, in a stage, the values that they have at its start, and some rate changes: all of its
 // coordinates are then told by them. Throws StatementError as the motion does.

@@ -222,12 +222,16 @@ class NearSteadySteps {
     ExplainedEquation monic;
     for (std::size_t k = degree + 1; k-- > 0;) {
       if (polynomial_[k].is_zero()) continue;
+      // Beside the rates of the others, what vanishes at a limit is rounding.
+      constexpr double rounding = 1e-12;
+      const double part = value(polynomial_[k]) / first;
+      const bool lost = std::abs(part) <= rounding * std::pow(largest_rate(), static_cast<double>(degree - k));
       const double sign = first_sign * (even && k / 2 % 2 == 1 ? -1 : 1);
       const std::string power = k == 0 ? "" : k == 1 ? symbol : symbol + "^{" + std::to_string(k) + "}";
       const auto tex = ExplanationTex::formula(sign < 0 ? -polynomial_[k] : polynomial_[k]);
       readable = readable && tex && sum.size() + tex->size() <= 2 * readable_line;
       if (readable) ExplanationTex::add_term(sum, *tex, power);
-      ExplanationTex::add_term(numbers, tex_.number(sign * value(polynomial_[k]) / first, dimensions::none), power);
+      if (!lost) ExplanationTex::add_term(numbers, tex_.number(sign * part, dimensions::none), power);
     }
     const bool known = std::ranges::all_of(polynomial_, [&](const Formula& one) {
       return tex_.is_known({0, one / polynomial_.back()});
@@ -243,6 +247,17 @@ class NearSteadySteps {
     if (readable) step.equations.push_back({"", sum + " = 0", {}, 0});
     if (known) step.equations.push_back({"", numbers + " = 0", {}, 0});
     if (!step.equations.empty()) steps_.push_back(std::move(step));
+  }
+
+  // About the size of the largest root.
+  double largest_rate() const {
+    double largest = 0;
+    const std::size_t degree = polynomial_.size() - 1;
+    for (std::size_t k = 0; k < degree; ++k)
+      if (!polynomial_[k].is_zero())
+        largest = std::max(largest, std::pow(std::abs(value(polynomial_[k]) / value(polynomial_.back())),
+                                             1.0 / static_cast<double>(degree - k)));
+    return largest;
   }
 
   bool is_even() const {
@@ -312,7 +327,20 @@ class NearSteadySteps {
 
   // What swings at one frequency when free swings have died out.
   void add_responses() {
-    if (near_.responses.empty() || tex_.numbers_open()) return;
+    if (near_.responses.empty()) return;
+    steps_.push_back(
+        {"What shakes the motion swings as $\\cos\\omega t$, and what remains when all free swings have "
+         "died out is the real part of $\\mathbf{X} e^{i\\omega t}$, which the same equations determine:",
+         {{"",
+           "\\left( \\mathbf{K} - \\omega^{2}\\,\\mathbf{M} + i\\omega\\,\\mathbf{C} \\right) "
+           "\\mathbf{X} = \\mathbf{F}",
+           {},
+           0}}});
+    if (tex_.numbers_open()) {
+      steps_.push_back(
+          {"The response is what is asked of $\\mathbf{X}$: its size, and its phase, negative where it lags.", {}});
+      return;
+    }
     const auto shown = [&](double x, const Dimension& dimension) { return "$" + tex_.with_unit(x, dimension) + "$"; };
     std::string told;
     for (const Call& call : near_.responses) {
@@ -326,14 +354,6 @@ class NearSteadySteps {
       told += (told.empty() ? "" : ", ") + std::string("of ") + to_string(call.arguments[0].value) + " to " +
               to_string(*call.argument("to")) + " " + parts;
     }
-    steps_.push_back(
-        {"What shakes the motion swings as $\\cos\\omega t$, and what remains when all free swings have "
-         "died out is the real part of $\\mathbf{X} e^{i\\omega t}$, which the same equations determine:",
-         {{"",
-           "\\left( \\mathbf{K} - \\omega^{2}\\,\\mathbf{M} + i\\omega\\,\\mathbf{C} \\right) "
-           "\\mathbf{X} = \\mathbf{F}",
-           {},
-           0}}});
     steps_.push_back({"Amplitudes and phases of the response, negative where it lags: " + told + ".", {}});
   }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/explanation/explanation_model.h"
 #include "problem/language/expression_walk.h"
 #include "problem/machine/masses.h"
 
@@ -106,9 +107,12 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
   std::vector<Quantity> columns{{"m", dimensions::mass, 0}};
   for (int k = 0; k < 3; ++k)
     columns.push_back({"\\bar{" + tex_.axis(static_cast<std::size_t>(k)) + "}", dimensions::length, 1 + k});
+  // Of a planar problem nothing need be said of moments about axes in its plane, which then are none of the body's.
+  const auto& plane = situation_.plane;
   for (int k = 0; k < 3; ++k)
-    columns.push_back({"I_{" + tex_.axis(static_cast<std::size_t>(k)) + "}", dimensions::moment_of_inertia, 4 + k});
-  for (int k = 0; k < 3; ++k) {
+    if (!plane || plane->normal() == static_cast<std::size_t>(k))
+      columns.push_back({"I_{" + tex_.axis(static_cast<std::size_t>(k)) + "}", dimensions::moment_of_inertia, 4 + k});
+  for (int k = 0; k < 3 && !plane; ++k) {
     const std::string pair = tex_.axis(static_cast<std::size_t>(k)) + tex_.axis(static_cast<std::size_t>((k + 1) % 3));
     columns.push_back({"I_{" + pair + "}", dimensions::moment_of_inertia, 7 + k});
   }
@@ -132,8 +136,8 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
   lines.emplace_back("| **sum** |");
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (std::all_of(cells[c].begin(), cells[c].end(), [](const Shown& cell) { return cell.number == 0; })) continue;
-    const bool known =
-        std::all_of(cells[c].begin(), cells[c].end(), [&](const Shown& cell) { return tex_.is_known(cell); });
+    const bool known = std::all_of(cells[c].begin(), cells[c].end(),
+                                   [&](const Shown& cell) { return tex_.is_known(cell) && !tex_.is_sought(cell); });
     const std::string unit = known ? tex_.unit_alone(columns[c].dimension) : "";
     head += " $" + columns[c].tex + "$" + (unit.empty() ? "" : " in $" + unit + "$") + " |";
     rule += "---|";
@@ -147,11 +151,23 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
       lines[row] += " " + text + " |";
     }
   }
-  std::string text = "*" + body_name(body) + "* by its parts; moments and products of inertia about $" + point.label +
+  std::string text = "*" + body_name(body) + "* by its parts; moments " +
+                     (plane ? "of inertia about $" : "and products of inertia about $") + point.label +
                      "$, each part's own and that of its mass at its center (Eqs. 18.5, 18.6):\n\n" + head + "\n" +
                      rule;
   for (const std::string& line : lines) text += "\n" + line;
   section.steps.push_back({text, {}});
+}
+
+void leave_out_said_inertia(std::vector<ExplainedSection>& sections) {
+  const auto same_step = [](const ExplainedStep& a, const ExplainedStep& b) {
+    return a.text == b.text &&
+           std::ranges::equal(a.equations, b.equations, {}, &ExplainedEquation::tex, &ExplainedEquation::tex);
+  };
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    for (std::size_t k = sections.size(); sections[i].of_inertia && k-- > i + 1;)
+      if (sections[k].of_inertia && std::ranges::equal(sections[i].steps, sections[k].steps, same_step))
+        sections.erase(sections.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
 }  // namespace poinsot::problem

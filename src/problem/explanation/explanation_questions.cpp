@@ -100,6 +100,8 @@ class Collector {
       if (f == "response") here().responses.push_back(call);
       return;
     }
+    // Where a body has come to is told by the motion.
+    if (f == "center" && (home_.time || home_.ending)) return;
     if (is_kind(QuantityKind::inertia) || is({"mass", "weight", "center"}))
       for (const int body : bodies_in(call.arguments.front().value)) here().masses.insert(body);
     for (const Argument& argument : call.arguments) walk(argument.value);

@@ -28,12 +28,99 @@ void add_to(std::vector<ShownTerm>& side, ShownTerm term) {
   }
 }
 
+bool is_plain_number(const std::string& side) { return side.find_first_not_of("0123456789.-+ ") == std::string::npos; }
+
+// The terms of the left side that have symbols, and what all numbers come to on the right; nothing for the latter if
+// the sides do not both have numbers, or none has a symbol.
+std::pair<std::vector<ShownTerm>, std::optional<ShownTerm>> without_numbers(const std::vector<ShownTerm>& left,
+                                                                            const std::vector<ShownTerm>& right) {
+  std::vector<ShownTerm> unknown;
+  double left_number = 0, right_number = 0;
+  for (const ShownTerm& term : left) {
+    if (term.symbol.empty())
+      left_number += term.coefficient.number * term.value;
+    else if (!term.coefficient.formula || !term.coefficient.formula->is_zero())
+      unknown.push_back(term);
+  }
+  for (const ShownTerm& term : right) {
+    if (!term.symbol.empty()) return {left, std::nullopt};
+    right_number += term.coefficient.number * term.value;
+  }
+  if (unknown.empty() || left_number == 0 || right_number == 0) return {left, std::nullopt};
+  return {unknown, ShownTerm{{right_number - left_number, std::nullopt}}};
+}
+
 }  // namespace
+
+std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, const std::vector<ShownTerm>& left,
+                                                       const std::vector<ShownTerm>& right, const Dimension& dimension,
+                                                       double natural,
+                                                       const NaturalCoefficient& natural_coefficient) const {
+  std::vector<ExplainedEquation> equations;
+  double left_sum = 0, right_sum = 0, size = 0;
+  std::string left_numbers = side_in_numbers(left, dimension, natural, natural_coefficient, left_sum, size);
+  std::string right_numbers = side_in_numbers(right, dimension, natural, natural_coefficient, right_sum, size);
+  if (left_numbers == "0" && right_numbers == "0") return {};
+  const auto has_letters = [&](const std::vector<ShownTerm>& terms) {
+    return std::any_of(terms.begin(), terms.end(), [](const ShownTerm& term) {
+      return term.coefficient.formula && !term.coefficient.formula->letters().empty();
+    });
+  };
+  std::string tex, left_shown;
+  if (has_letters(left) || has_letters(right)) {
+    const auto left_symbols = side_in_symbols(left, dimension), right_symbols = side_in_symbols(right, dimension);
+    const std::size_t longest = letters_open() ? 8 * longest_alone : 2 * longest_line;
+    if (left_symbols && right_symbols && left_symbols->size() + right_symbols->size() <= longest) {
+      left_shown = *left_symbols;
+      tex = *left_symbols + " = " + *right_symbols;
+    }
+  }
+  const auto known = [&](const std::vector<ShownTerm>& terms) {
+    return std::all_of(terms.begin(), terms.end(), [&](const ShownTerm& term) { return is_known(term.coefficient); });
+  };
+  const auto sought = [&](const std::vector<ShownTerm>& terms) {
+    return std::ranges::any_of(terms, [&](const ShownTerm& term) { return is_sought(term.coefficient); });
+  };
+  const bool numbers = known(left) && known(right) && (tex.empty() || !(sought(left) || sought(right)));
+  if (numbers && !tex.empty() && left_shown != left_numbers) {
+    // Where symbols are shown with the forces on the left and the momenta on the right, the numbers below them stand on
+    // one side.
+    const auto [unknown, constant] = without_numbers(left, right);
+    if (constant) {
+      left_sum = right_sum = size = 0;
+      left_numbers = side_in_numbers(unknown, dimension, natural, natural_coefficient, left_sum, size);
+      right_numbers = side_in_numbers({*constant}, dimension, natural, natural_coefficient, right_sum, size);
+    }
+  }
+  const bool alone = right_numbers == "0" && (left_numbers == "0" || !is_plain_number(left_numbers));
+  const std::string right_end = alone ? right_numbers : right_numbers + unit_tex(dimension);
+  if (numbers && !tex.empty() && left_shown == left_numbers) {
+    // The left side reads the same in symbols and in numbers and is shown once.
+    equations.push_back({name, tex + " = " + right_end, {left_sum, right_sum}, size, symbols_in(left, right)});
+    return equations;
+  }
+  if (!tex.empty()) equations.push_back({name, tex, {}, size});
+  // Two numbers say nothing that the symbols above them have not said.
+  if (!tex.empty() && is_plain_number(left_numbers) && is_plain_number(right_numbers)) {
+    if (numbers) equations.back().sides = {left_sum, right_sum};
+    return equations;
+  }
+  if (numbers)
+    equations.push_back({equations.empty() ? name : "",
+                         left_numbers + " = " + right_end,
+                         {left_sum, right_sum},
+                         size,
+                         symbols_in(left, right)});
+  return equations;
+}
 
 InstantExplainer::Row InstantExplainer::row_of(const System& system, const MotionBalance<double>& numbers,
                                                const std::optional<MotionBalance<Formula>>& formulas,
                                                std::size_t row) const {
   const auto pair = [&](const SpatialForce<double>& number, const SpatialForce<Formula>* formula) {
+    // What is nothing in letters is rounding in numbers.
+    if (formula && entry(*formula, row).is_zero() && is_rounding(entry(number, row), noise_size(row_dimension(row))))
+      return Shown{0, Formula(0)};
     return confirmed(entry(number, row), formula ? std::optional(entry(*formula, row)) : std::nullopt);
   };
   const auto at = [&](const std::vector<SpatialForce<double>>& list, const std::vector<SpatialForce<Formula>>* exact,

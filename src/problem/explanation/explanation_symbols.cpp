@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "problem/explanation/explanation_instant.h"
+#include "problem/instant/sticking_margin.h"
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/words.h"
 
@@ -28,6 +29,20 @@ std::string InstantExplainer::action_symbol(const Action& action) const {
       return place->name;
   }
   return action.name;
+}
+
+std::pair<std::string, double> InstantExplainer::named_direction(const Vector3<double>& along) const {
+  constexpr double same = 1e-9;
+  for (const NamedExpression& direction : situation_.directions) {
+    try {
+      DataScope<double> data(situation_, data_.settings());
+      const double cosine = dot(data.direction(direction.value), along);
+      if (std::abs(std::abs(cosine) - 1) < same) return {direction.name, cosine < 0 ? -1 : 1};
+    } catch (const StatementError&) {
+      // One without a value is not the one sought.
+    }
+  }
+  return {};
 }
 
 InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) const {
@@ -64,6 +79,11 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
           if (along[k] < 0) symbol.sign = -1;
         }
       if (index.empty()) {
+        const auto [name, sign] = named_direction(along);
+        index = name;
+        if (!index.empty()) symbol.sign = sign;
+      }
+      if (index.empty()) {
         int place = 1;
         for (std::size_t k = 0; k < force.index; ++k)
           if (mechanism().components[k].action == component.action && mechanism().components[k].couple == couple)
@@ -98,6 +118,30 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
   return symbol;
 }
 
+// Of several coordinates of a joint that have no name the axis along or about which one moves, or else its number.
+std::string InstantExplainer::index_among_others(const NamedCoordinate& coordinate) const {
+  int number = 0, own = 0;
+  for (const NamedCoordinate& other : figures_.numbers.machine->coordinates) {
+    if (other.joint != coordinate.joint || other.turning != coordinate.turning || !other.name.empty()) continue;
+    ++number;
+    if (other.velocity == coordinate.velocity) own = number;
+  }
+  if (number < 2) return "";
+  solve::MechanismState moved = figures_.numbers.now;
+  std::vector<double> one(moved.state().v.size(), 0.0);
+  one[static_cast<std::size_t>(coordinate.velocity)] = 1;
+  moved.set_velocities(one);
+  for (int i = 0; i < mechanism().tree.body_count(); ++i) {
+    if (mechanism().tree.body(i).v != coordinate.velocity) continue;
+    const auto& motion = moved.workspace().motion[static_cast<std::size_t>(i + 1)];
+    const Vector3<double>& along = coordinate.turning ? motion.w : motion.v;
+    constexpr double on_axis = 1 - 1e-9;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::abs(along[k]) > on_axis * norm(along)) return "," + tex_.axis(k);
+  }
+  return "," + std::to_string(own);
+}
+
 InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, bool rates) const {
   Symbol symbol;
   const Machine& machine = *figures_.numbers.machine;
@@ -105,10 +149,10 @@ InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, b
   for (const NamedCoordinate& coordinate : machine.coordinates) {
     if (static_cast<std::size_t>(coordinate.velocity) != k) continue;
     const std::string dot = rates ? "\\dot{" : "\\ddot{";
-    symbol.tex =
-        !coordinate.name.empty()
-            ? dot + ExplanationTex::symbol(coordinate.name) + "}"
-            : ExplanationTex::symbol(rates ? (turns ? "omega" : "v") : (turns ? "alpha" : "a"), coordinate.joint);
+    symbol.tex = !coordinate.name.empty()
+                     ? dot + ExplanationTex::symbol(coordinate.name) + "}"
+                     : ExplanationTex::symbol(rates ? (turns ? "omega" : "v") : (turns ? "alpha" : "a"),
+                                              coordinate.joint + index_among_others(coordinate));
   }
   if (symbol.tex.empty()) {
     for (int i = 0; i < mechanism().tree.body_count(); ++i) {
@@ -222,7 +266,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
                                : "the force") +
         " of *" + action.name + "*" +
         (action.kind == ActionKind::attraction && several_bodies() ? " on *" + body_name(action.on) + "*" : "") + ": " +
-        tex_.inline_vector(value, dimension));
+        tex_.inline_both(value, dimension));
     if (action.kind != ActionKind::attraction) continue;
     const ShownVector turning = shown_vector([&](const auto& figures) {
       const auto center = body_mass_center(figures.mechanism().tree, figures.now.workspace(), action.on);
@@ -337,7 +381,8 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
 }
 
 void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
-  ExplainedStep step{"Solved for the unknowns:", {}};
+  ExplainedStep step{
+      situation_.find.empty() || found_along_motion() ? "Solved for the unknowns:" : "Then the other unknowns are", {}};
   std::vector<std::string> shared, zero;
   for (const Symbol& symbol : unknowns) {
     if (!symbol.determined) {
@@ -352,10 +397,16 @@ void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
   ExplainedSection& here = section("Unknowns");
   if (!step.equations.empty()) here.steps.push_back(std::move(step));
   if (!zero.empty()) here.steps.push_back({listed(zero) + (zero.size() > 1 ? " are zero." : " is zero."), {}});
-  if (!shared.empty())
-    here.steps.push_back(
-        {"What the equations leave open is not asked: only combinations of " + listed(shared) + " are determined.",
-         {}});
+  if (shared.empty()) return;
+  if (shared.size() == 1) {
+    here.steps.push_back({shared.front() + " is left open, and not asked.", {}});
+    return;
+  }
+  const bool by_friction = !sudden() && figures_.numbers.forces && sticking_forces(solved_);
+  here.steps.push_back({(by_friction ? "These equations determine only combinations of "
+                                     : "What the equations leave open is not asked: only combinations of ") +
+                            listed(shared) + (by_friction ? "." : " are determined."),
+                        {}});
 }
 
 std::string ExplanationTex::plain(const std::string& tex) {
@@ -387,6 +438,21 @@ std::string ExplanationTex::plain(const std::string& tex) {
     }
   }
   return text;
+}
+
+std::string with_emphasis(std::string sentence) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < sentence.size() && std::isalnum(static_cast<unsigned char>(sentence[i])) != 0;
+  };
+  bool within = false;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    if (sentence[i] != '\'') continue;
+    const bool apostrophe = i > 0 && is_letter(i - 1) && (is_letter(i + 1) || !within);
+    if (apostrophe) continue;
+    sentence[i] = '*';
+    within = !within;
+  }
+  return sentence;
 }
 
 bool has_parts(const std::string& tex) { return tex.find(' ') != std::string::npos; }

@@ -48,6 +48,33 @@ std::vector<std::size_t> InstantExplainer::blocked_coordinates() const {
         is_rounding(figures_.numbers.now.state().v[k], noise_size(dimensions::angular_velocity)))
       blocked.push_back(k);
   }
+  if (blocked.size() == mechanism().constraints.size()) return blocked;
+  // At rest several of them together keep from moving what no single one does.
+  if (std::ranges::any_of(figures_.numbers.now.state().v, [](double one) { return one != 0; })) return blocked;
+  const auto count = static_cast<std::size_t>(mechanism().tree.velocity_size());
+  const auto idle = [&](std::size_t k) {
+    return is_rounding(figures_.numbers.now.accelerations()[k], noise_size(dimensions::angular_acceleration));
+  };
+  solve::LinearSystem together;
+  std::vector<std::size_t> unknown;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& stated = figures_.numbers.machine->accelerations;
+    if (idle(k) &&
+        std::ranges::any_of(stated, [&](const StatedRate& one) { return static_cast<std::size_t>(one.velocity) == k; }))
+      continue;
+    const bool turns = solve::coordinate_turns(mechanism().tree, static_cast<int>(k));
+    together.add_unknown("a" + std::to_string(k), turns ? 1 : solved_.scales().length);
+    unknown.push_back(k);
+  }
+  for (const VelocityConstraint<double>& constraint : mechanism().constraints) {
+    const std::vector<double> row = solve::constraint_coefficients(figures_.numbers.now, constraint);
+    const std::size_t equation = together.add_equation(constraint.words, solved_.scales().length);
+    for (std::size_t i = 0; i < unknown.size(); ++i) together.add(equation, i, row[unknown[i]]);
+  }
+  const solve::LinearSolution held = together.solve();
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    if (held.determined(i) && idle(unknown[i]) && std::ranges::find(blocked, unknown[i]) == blocked.end())
+      blocked.push_back(unknown[i]);
   return blocked;
 }
 

@@ -14,9 +14,6 @@ namespace poinsot::problem {
 namespace {
 
 constexpr std::size_t longest_beside_number = 64;  // in characters of plain text, for a formula beside its number
-constexpr std::size_t longest_alone = 600;
-// In characters of plain text, for an equation in symbols beside the same in numbers.
-constexpr std::size_t longest_line = 150;
 // Numbers of an instant are good to some 1e-12 of their natural size. With a tenth of this, rounding of long chains
 // would be shown as a force of 3e-16 N; what is a billionth of the natural size is real and is shown.
 constexpr double rounding = 1e-10;
@@ -107,8 +104,6 @@ std::optional<std::string> readable(const Formula& formula, std::size_t longest,
   }
 }
 
-bool is_plain_number(const std::string& side) { return side.find_first_not_of("0123456789.-+ ") == std::string::npos; }
-
 double size_of(const Vector3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 }  // namespace
@@ -138,11 +133,20 @@ ExplanationTex::ExplanationTex(const Situation& situation, std::vector<std::stri
   if (situation.habits.customary()) habits_.note(parse_unit("ft"));
 }
 
-bool ExplanationTex::has_open_letters(const Formula& formula) const {
-  const std::vector<std::string> letters = formula.letters();
-  return std::any_of(letters.begin(), letters.end(), [&](const std::string& letter) {
-    return std::find(open_.begin(), open_.end(), letter) != open_.end();
+namespace {
+
+bool has_any_of(const Formula& formula, const std::vector<std::string>& names) {
+  return !names.empty() && std::ranges::any_of(formula.letters(), [&](const std::string& letter) {
+    return std::ranges::find(names, letter) != names.end();
   });
+}
+
+}  // namespace
+
+bool ExplanationTex::has_open_letters(const Formula& formula) const { return has_any_of(formula, open_); }
+
+bool ExplanationTex::is_sought(const Shown& value) const {
+  return value.formula && has_any_of(*value.formula, sought_);
 }
 
 bool ExplanationTex::is_known(const Shown& value) const {
@@ -235,6 +239,7 @@ ExplainedEquation ExplanationTex::equation(const std::string& symbol, const Show
   if (const auto tex = formula_tex(value, dimension, longest)) {
     equation.tex += " = " + *tex;
     equation.sides.push_back(value.number);
+    if (is_sought(value)) return equation;
   }
   if (is_known(value)) {
     equation.tex += " = " + with_unit(value.number, dimension, as_energy);
@@ -279,15 +284,19 @@ std::optional<std::string> ExplanationTex::vector_formula(const ShownVector& val
 ExplainedEquation ExplanationTex::equation(const std::string& symbol, const ShownVector& value,
                                            const Dimension& dimension) const {
   ExplainedEquation equation{"", symbol, {}, size_of(value.number)};
-  if (const auto tex = vector_formula(value, dimension)) equation.tex += " = " + *tex;
+  if (const auto tex = vector_formula(value, dimension)) {
+    equation.tex += " = " + *tex;
+    if (is_sought(value)) return equation;
+  }
   if (is_known(value[0]) && is_known(value[1]) && is_known(value[2]))
     equation.tex += " = " + vector_tex(value.number, dimension);
   return equation;
 }
 
 std::string ExplanationTex::value(const Shown& value, const Dimension& dimension) const {
-  if (is_known(value)) return with_unit(value.number, dimension);
-  return formula_tex(value, dimension, longest_formula()).value_or("");
+  const auto tex = formula_tex(value, dimension, longest_formula());
+  if (is_known(value) && !(tex && is_sought(value))) return with_unit(value.number, dimension);
+  return tex.value_or("");
 }
 
 std::string ExplanationTex::inline_value(const Shown& value, const Dimension& dimension) const {
@@ -297,14 +306,19 @@ std::string ExplanationTex::inline_value(const Shown& value, const Dimension& di
 
 std::string ExplanationTex::inline_both(const Shown& value, const Dimension& dimension) const {
   const auto tex = formula_tex(value, dimension, longest_formula());
-  const std::string known = is_known(value) ? with_unit(value.number, dimension) : "";
+  const std::string known = is_known(value) && !(tex && is_sought(value)) ? with_unit(value.number, dimension) : "";
   return "$" + tex.value_or("") + (tex && !known.empty() ? " = " : "") + known + "$";
 }
 
+std::string ExplanationTex::inline_both(const ShownVector& value, const Dimension& dimension) const {
+  const std::string tex = equation("", value, dimension).tex, sign = " = ";
+  return tex.empty() ? "" : "$" + tex.substr(sign.size()) + "$";
+}
+
 std::string ExplanationTex::inline_vector(const ShownVector& value, const Dimension& dimension) const {
-  if (is_known(value[0]) && is_known(value[1]) && is_known(value[2]))
-    return "$" + vector_tex(value.number, dimension) + "$";
   const auto tex = vector_formula(value, dimension);
+  if (is_known(value[0]) && is_known(value[1]) && is_known(value[2]) && !(tex && is_sought(value)))
+    return "$" + vector_tex(value.number, dimension) + "$";
   return tex ? "$" + *tex + "$" : "";
 }
 
@@ -363,89 +377,6 @@ std::vector<ExplainedSymbol> ExplanationTex::symbols_in(const std::vector<ShownT
     for (const ShownTerm& term : *side)
       if (!term.symbol.empty()) symbols.push_back({term.symbol, term.value / unit(term.dimension).factor});
   return symbols;
-}
-
-namespace {
-
-// The terms of the left side that have symbols, and what all numbers come to on the right; nothing for the latter if
-// the sides do not both have numbers, or none has a symbol.
-std::pair<std::vector<ShownTerm>, std::optional<ShownTerm>> without_numbers(const std::vector<ShownTerm>& left,
-                                                                            const std::vector<ShownTerm>& right) {
-  std::vector<ShownTerm> unknown;
-  double left_number = 0, right_number = 0;
-  for (const ShownTerm& term : left) {
-    if (term.symbol.empty())
-      left_number += term.coefficient.number * term.value;
-    else if (!term.coefficient.formula || !term.coefficient.formula->is_zero())
-      unknown.push_back(term);
-  }
-  for (const ShownTerm& term : right) {
-    if (!term.symbol.empty()) return {left, std::nullopt};
-    right_number += term.coefficient.number * term.value;
-  }
-  if (unknown.empty() || left_number == 0 || right_number == 0) return {left, std::nullopt};
-  return {unknown, ShownTerm{{right_number - left_number, std::nullopt}}};
-}
-
-}  // namespace
-
-std::vector<ExplainedEquation> ExplanationTex::balance(const std::string& name, const std::vector<ShownTerm>& left,
-                                                       const std::vector<ShownTerm>& right, const Dimension& dimension,
-                                                       double natural,
-                                                       const NaturalCoefficient& natural_coefficient) const {
-  std::vector<ExplainedEquation> equations;
-  double left_sum = 0, right_sum = 0, size = 0;
-  std::string left_numbers = side_in_numbers(left, dimension, natural, natural_coefficient, left_sum, size);
-  std::string right_numbers = side_in_numbers(right, dimension, natural, natural_coefficient, right_sum, size);
-  if (left_numbers == "0" && right_numbers == "0") return {};
-  const auto has_letters = [&](const std::vector<ShownTerm>& terms) {
-    return std::any_of(terms.begin(), terms.end(), [](const ShownTerm& term) {
-      return term.coefficient.formula && !term.coefficient.formula->letters().empty();
-    });
-  };
-  std::string tex, left_shown;
-  if (has_letters(left) || has_letters(right)) {
-    const auto left_symbols = side_in_symbols(left, dimension), right_symbols = side_in_symbols(right, dimension);
-    const std::size_t longest = letters_open() ? 8 * longest_alone : 2 * longest_line;
-    if (left_symbols && right_symbols && left_symbols->size() + right_symbols->size() <= longest) {
-      left_shown = *left_symbols;
-      tex = *left_symbols + " = " + *right_symbols;
-    }
-  }
-  const auto known = [&](const std::vector<ShownTerm>& terms) {
-    return std::all_of(terms.begin(), terms.end(), [&](const ShownTerm& term) { return is_known(term.coefficient); });
-  };
-  const bool numbers = known(left) && known(right);
-  if (numbers && !tex.empty() && left_shown != left_numbers) {
-    // Where symbols are shown with the forces on the left and the momenta on the right, the numbers below them stand on
-    // one side.
-    const auto [unknown, constant] = without_numbers(left, right);
-    if (constant) {
-      left_sum = right_sum = size = 0;
-      left_numbers = side_in_numbers(unknown, dimension, natural, natural_coefficient, left_sum, size);
-      right_numbers = side_in_numbers({*constant}, dimension, natural, natural_coefficient, right_sum, size);
-    }
-  }
-  const bool alone = right_numbers == "0" && (left_numbers == "0" || !is_plain_number(left_numbers));
-  const std::string right_end = alone ? right_numbers : right_numbers + unit_tex(dimension);
-  if (numbers && !tex.empty() && left_shown == left_numbers) {
-    // The left side reads the same in symbols and in numbers and is shown once.
-    equations.push_back({name, tex + " = " + right_end, {left_sum, right_sum}, size, symbols_in(left, right)});
-    return equations;
-  }
-  if (!tex.empty()) equations.push_back({name, tex, {}, size});
-  // Two numbers say nothing that the symbols above them have not said.
-  if (!tex.empty() && is_plain_number(left_numbers) && is_plain_number(right_numbers)) {
-    if (numbers) equations.back().sides = {left_sum, right_sum};
-    return equations;
-  }
-  if (numbers)
-    equations.push_back({equations.empty() ? name : "",
-                         left_numbers + " = " + right_end,
-                         {left_sum, right_sum},
-                         size,
-                         symbols_in(left, right)});
-  return equations;
 }
 
 void ExplanationTex::add_term(std::string& sum, std::string factor, const std::string& symbol) {

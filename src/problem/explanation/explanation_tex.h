@@ -16,6 +16,8 @@ namespace poinsot::problem {
 // Text of the problem file in the typeface that Markdown uses for code.
 inline std::string code(const std::string& text) { return "`" + text + "`"; }
 inline std::string code(const Expression& expression) { return code(to_string(expression)); }
+// A sentence that has names between quotes, with these in the typeface of names; an apostrophe within a word stays.
+std::string with_emphasis(std::string sentence);
 
 // A number in SI units, with its formula in the data of the statement if it has one.
 struct Shown {
@@ -52,10 +54,17 @@ class ExplanationTex {
   // Of the letters without value so many are masses that may be any: numbers without them are known all the same.
   void set_any_masses(std::size_t count) { any_masses_ = count; }
   bool numbers_open() const { return open_.size() > any_masses_; }
+  // Data that are to be found: until then their numbers, and those of formulas in them, are shown nowhere beside these.
+  void hide_until_found(std::vector<std::string> names) { sought_ = std::move(names); }
   const LetterValues& letters() const { return letters_; }
   bool letters_open() const { return !open_.empty(); }
   // Whether the number may be shown.
   bool is_known(const Shown& value) const;
+  // Whether it hangs on data that are still to be found.
+  bool is_sought(const Shown& value) const;
+  bool is_sought(const ShownVector& value) const {
+    return is_sought(value[0]) || is_sought(value[1]) || is_sought(value[2]);
+  }
   // Whether number or formula may be shown.
   bool can_show(const Shown& value) const { return is_known(value) || value.formula.has_value(); }
   bool can_show(const ShownVector& value) const;
@@ -89,6 +98,7 @@ class ExplanationTex {
   std::string inline_value(const Shown& value, const Dimension& dimension) const;
   // Both the formula and the number.
   std::string inline_both(const Shown& value, const Dimension& dimension) const;
+  std::string inline_both(const ShownVector& value, const Dimension& dimension) const;
   std::string inline_vector(const ShownVector& value, const Dimension& dimension) const;
   std::string inline_equation(const std::string& symbol, const Shown& value, const Dimension& dimension) const;
   std::string inline_equation(const std::string& symbol, const ShownVector& value, const Dimension& dimension) const;
@@ -117,6 +127,9 @@ class ExplanationTex {
   const std::string& axis(std::size_t k) const { return axes_[k]; }
 
  private:
+  // In characters of plain text: of a formula without a number, and of an equation in symbols above that in numbers.
+  static constexpr std::size_t longest_alone = 600, longest_line = 150;
+
   bool has_open_letters(const Formula& formula) const;
   // The formula as TeX, if it has letters and is short enough to read.
   std::optional<std::string> formula_tex(const Shown& value, const Dimension& dimension, std::size_t longest) const;
@@ -132,7 +145,7 @@ class ExplanationTex {
   std::string vector_tex(const Vector3<double>& value, const Dimension& dimension) const;
   std::optional<std::string> vector_formula(const ShownVector& value, const Dimension& dimension) const;
 
-  std::vector<std::string> open_;
+  std::vector<std::string> open_, sought_;
   std::size_t any_masses_ = 0;
   std::array<std::string, 3> axes_;
   LetterValues letters_;

@@ -43,7 +43,10 @@ class ConditionSteps {
       const auto next = std::ranges::min_element(left, {}, [&](const Formula& one) { return among(one).size(); });
       const std::vector<std::string> names = among(*next);
       if (names.size() == 1) {
+        const std::size_t before = steps_.size();
         add_single(*next, datum(names.front()));
+        // What is no polynomial is at least written down.
+        if (steps_.size() == before) add_shared(*next, names);
         open.erase(names.front());
       } else if (names.size() > 1) {
         add_shared(*next, names);
@@ -66,14 +69,48 @@ class ConditionSteps {
       add_polynomial(condition, unknown);
   }
 
-  // Several unknowns in one equation: it is shown without what its terms share.
+  // Whether it vanishes at what was found but for what the search leaves, also with the letters in the units shown.
+  bool holds(const Formula& condition, const std::vector<std::string>& names) const {
+    for (const LetterValues* letters : {&letters_, &tex_.letters()}) {
+      if (letters->empty()) continue;
+      LetterValues moved = *letters;
+      const double left = value_at(condition, moved);
+      double allowed = 0;
+      for (const std::string& name : names) {
+        const auto letter = moved.find(name);
+        if (letter == moved.end()) return false;
+        const double own = letter->second;
+        letter->second *= 1 + left_by_search;
+        allowed += std::abs(value_at(condition, moved) - left);
+        letter->second = own;
+      }
+      if (!(std::abs(left) <= allowed)) return false;
+    }
+    return true;
+  }
+
+  // What vanishes is written with the sign that leaves it shorter.
+  static std::optional<std::string> that_vanishes(const Formula& formula) {
+    const auto tex = ExplanationTex::formula(formula), opposite = ExplanationTex::formula(-formula);
+    return tex && opposite && opposite->size() < tex->size() ? opposite : tex;
+  }
+
+  // Several unknowns in one equation: it is shown without what its terms share, with others of the kind.
   void add_shared(const Formula& condition, const std::vector<std::string>& names) {
     const std::vector<Formula> reduced = without_shared_factors({numerator(condition)}, stated_.factors).rest;
-    const auto tex = ExplanationTex::formula(reduced.front());
-    if (!tex || tex->size() > longest_line) return;
-    std::vector<std::string> symbols;
-    for (const std::string& name : names) symbols.push_back("$" + symbol(datum(name)) + "$");
-    steps_.push_back({stated_.from + " an equation for " + listed(symbols) + ":", {{"", *tex + " = 0", {}, 0}}});
+    const auto tex = that_vanishes(reduced.front());
+    if (!tex || tex->size() > longest_line || !holds(reduced.front(), names)) return;
+    for (const FoundDatum& one : stated_.unknown)
+      if (std::ranges::find(names, one.name) != names.end()) shared_.insert("$" + symbol(one) + "$");
+    if (!shared_step_) {
+      shared_step_ = steps_.size();
+      steps_.emplace_back();
+    }
+    ExplainedStep& step = steps_[*shared_step_];
+    step.equations.push_back({"", *tex + " = 0", {}, 0});
+    step.text =
+        (step.equations.size() > 1 ? stated_.from_several + " equations for " : stated_.from + " an equation for ") +
+        listed({shared_.begin(), shared_.end()}) + ":";
   }
 
   void add_polynomial(Formula condition, const FoundDatum& unknown) {
@@ -219,7 +256,7 @@ class ConditionSteps {
     ExplainedStep step{stated_.from + " an equation for $" + name + "$ alone" +
                            (elsewhere.empty() ? std::string() : "; apart from " + listed(elsewhere) + " it is") + ":",
                        {}};
-    const auto tex = ExplanationTex::formula(rest);
+    const auto tex = that_vanishes(rest);
     if (tex && tex->size() <= 2 * longest_line) step.equations.push_back({"", *tex + " = 0", {}, 0});
     add_function(step, rest, unknown);
     add_value(step, unknown);
@@ -257,6 +294,8 @@ class ConditionSteps {
   const LetterValues& letters_;
   const ExplanationTex& tex_;
   std::vector<ExplainedStep> steps_;
+  std::optional<std::size_t> shared_step_;  // the one that has equations for several unknowns
+  std::set<std::string> shared_;            // their symbols
 };
 
 }  // namespace

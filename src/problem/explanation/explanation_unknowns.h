@@ -20,11 +20,12 @@ struct FoundDatum {
 inline Shown known_number(double value) { return {value, Formula(1)}; }
 
 struct UnknownConditions {
-  std::vector<Formula> conditions;       // each vanishes for this solution
-  std::vector<FoundDatum> unknown;       // in the order of the statement
-  std::vector<Formula> factors;          // that may be shared by all terms (shared_factors.h)
-  std::vector<std::string> first_order;  // unknowns whose squares are neglected
-  std::string from = "This is";          // the sentence that an equation follows from
+  std::vector<Formula> conditions;         // each vanishes for this solution
+  std::vector<FoundDatum> unknown;         // in the order of the statement
+  std::vector<Formula> factors;            // that may be shared by all terms (shared_factors.h)
+  std::vector<std::string> first_order;    // unknowns whose squares are neglected
+  std::string from = "This is";            // the sentence that an equation follows from
+  std::string from_several = "These are";  // the same of several equations
 };
 
 // The conditions, each without what its terms share and collected in the powers of the unknown that it leaves, and

@@ -1,11 +1,16 @@
 #include "problem/explanation/shown_numbers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "problem/answers/read_settings.h"
 #include "problem/entries/drawn_letters.h"
+#include "problem/explanation/explanation_instant.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/language/expression_walk.h"
+#include "problem/machine/data.h"
 
 namespace poinsot::problem {
 namespace {
@@ -25,6 +30,15 @@ double alike_value(const Letter& letter, const std::vector<Letter>& letters, int
   if (letter.unit.dimension == dimensions::angle) return between(0.4, 0.8);
   // A product of inertia, or an offset, is small beside moments and lengths.
   return letter.unit.factor * (letter.either_sign ? between(0.1, 0.3) : between(0.8, 1.25));
+}
+
+// Whether a datum appears in formulas as a number, since it makes terms vanish (0, 90 deg) or is a count (2).
+bool stays_number(double value, const Dimension& dimension) {
+  if (value == 0) return true;
+  if (dimension == dimensions::none) return value == std::round(value);
+  const double steps = value / (std::numbers::pi / 2);
+  constexpr double rounding = 1e-9;  // of a right angle that was stated in radians with nine digits
+  return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < rounding;
 }
 
 }  // namespace
@@ -138,6 +152,60 @@ bool ShownNumbers::wants_forces(const Sample::Home& home, const InstantQuestions
   const Situation& stated = situation(home.situation);
   const bool after = stated.has_blow() && home.instant == 1 && !home.time;
   return !after && (questions.asks_forces() || stated.steady);
+}
+
+FormulaValues ShownNumbers::formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const {
+  FormulaValues values;
+  const Settings& settings = settings_[situation];
+  const auto add = [&](const std::string& name, double value, const Dimension& dimension, bool real) {
+    if (stays_number(value, dimension)) return;
+    point[name] = value;
+    values[name] = Value<Formula>::of_number(
+        Formula::letter(name, real || value < 0 ? poinsot::Sign::real : poinsot::Sign::positive), dimension);
+  };
+  const bool has_g = std::any_of(lettered.given.begin(), lettered.given.end(),
+                                 [](const NamedExpression& item) { return item.name == "g"; }) ||
+                     std::any_of(lettered.letters.begin(), lettered.letters.end(),
+                                 [](const Letter& letter) { return letter.name == "g"; }) ||
+                     settings.contains("g");
+  if (!has_g && lettered.gravity)
+    lettered.given.push_back(
+        {"g", built(Number{standard_gravity, si_unit(dimensions::acceleration), true, "9.80665 m/s^2"}, Mark{}), {}});
+  for (const NamedExpression& item : lettered.given) {
+    if (settings.contains(item.name)) continue;
+    const Unary* minus = item.value.as<Unary>();
+    const Number* number = minus ? minus->operand.as<Number>() : item.value.as<Number>();
+    if (!number) continue;
+    add(item.name, (minus && minus->sign == '-' ? -1 : 1) * number->value * number->unit.factor, number->unit.dimension,
+        number->unit.dimension == dimensions::angle);
+  }
+  for (const auto& [name, value] : settings) {
+    if (const auto sought = std::ranges::find(lettered.find, name, &Unknown::name);
+        value.is_vector() && sought != lettered.find.end()) {
+      Vector3<Formula> letters{Formula(0), Formula(0), Formula(0)};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::string component = component_letter(lettered, name, k);
+        if (value.vector[k] == 0) continue;
+        point[component] = value.vector[k];
+        letters[k] = Formula::letter(component, poinsot::Sign::real);
+      }
+      values[name] = Value<Formula>::of_vector(letters, value.dimension);
+    }
+    if (!value.is_number()) continue;
+    const auto letter = std::find_if(lettered.letters.begin(), lettered.letters.end(),
+                                     [&, wanted = name](const Letter& l) { return l.name == wanted; });
+    const bool open = std::any_of(solved_.open_letters.begin(), solved_.open_letters.end(),
+                                  [&, wanted = name](const Letter& l) { return l.name == wanted; });
+    if (open || letter != lettered.letters.end()) {
+      values[name] = formula_of(*letter);
+      point[name] = value.number;
+    } else {
+      add(name, value.number, value.dimension, value.dimension == dimensions::angle);
+    }
+    // A datum that is set to a special value stays a number.
+    if (!values.contains(name)) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
+  }
+  return values;
 }
 
 }  // namespace poinsot::problem

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "problem/explanation/explanation_questions.h"
+#include "problem/formulas/formula_instant.h"
 #include "problem/results/solution.h"
 #include "problem/unknowns/sample.h"
 
@@ -38,6 +39,10 @@ class ShownNumbers {
   std::vector<std::string> open_letters(std::optional<std::size_t> situation = std::nullopt) const;
   // The values drawn for them, in SI units.
   const std::map<std::string, double>& drawn() const { return drawn_; }
+
+  // Data that are single numbers, letters, unknowns and standard gravity as letters, after choose(); `lettered` gets
+  // what it lacks for them, `point` their values.
+  FormulaValues formula_values(std::size_t situation, Situation& lettered, LetterValues& point) const;
 
   // After choose().
   bool has_sample() const { return sample_ != nullptr; }

@@ -6,6 +6,7 @@
 
 #include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/math/formula/formula_sizes.h"
 #include "poinsot/engine/solve/instant/closure.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/scalar_value.h"
@@ -34,6 +35,7 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
   // that any number will do.
   const AnyValue any = [](const Dimension&) { return 1.0; };
   machine_ = build_machine(situation, *data_, timed, any, options);
+  const DecidedSizesScope sizes(decides_sizes());
   scales_ = solve::natural_scales(machine_.mechanism);
   mechanism_state_.emplace(machine_.mechanism);
   mechanism_state_->set_positions(machine_.q);
@@ -45,6 +47,13 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
 
 InstantView<Formula> FormulaInstant::view() const {
   return {situation_, *data_, machine_, *mechanism_state_, scales_, time_, before_ ? &*before_ : nullptr};
+}
+
+// On which side of a round body it touches is seen in the pose as drawn: the lowest point of a disk tilted by b lies
+// r |cos(b)| below its center, which is r cos(b) for tilts like the one drawn. What is open for claims is any pose.
+bool FormulaInstant::decides_sizes() const {
+  return !open_ && std::ranges::any_of(machine_.mechanism.constraints,
+                                       [](const VelocityConstraint<Formula>& c) { return moves_over_surfaces(c); });
 }
 
 // Makes letters of coordinates without value. The pose of a free body or ball has three: it is the quaternion (1, a,
@@ -237,6 +246,7 @@ void FormulaInstant::solve_forces() {
     forces_solved_ = true;
     std::optional<DecisionScope> decisions;
     if (notes_decisions()) decisions.emplace();
+    const DecidedSizesScope sizes(decides_sizes());
     try {
       find_forces();
     } catch (const std::exception& error) {
@@ -323,6 +333,8 @@ void FormulaInstant::find_pressing() {
 }
 
 void FormulaInstant::find_forces() {
+  if (before_ && std::ranges::find(numbers_.blow_acting(), false) != numbers_.blow_acting().end())
+    throw NoFormula("what gives way in the blow carries nothing just after it");
   for (const VelocityConstraint<Formula>& constraint : machine_.mechanism.constraints)
     if (constraint.shape_unknown && !constraint.carried_by)
       throw NoFormula("how a point of contact moves is not known");

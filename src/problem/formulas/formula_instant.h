@@ -65,6 +65,7 @@ class FormulaInstant {
   const std::vector<Formula>& remainders() const { return remainders_; }
 
  private:
+  bool decides_sizes() const;
   void set_positions(const std::vector<const Instant*>& instants);
   void open_positions();
   void solve_velocities();

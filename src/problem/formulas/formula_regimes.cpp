@@ -250,6 +250,17 @@ class RegimeSearch {
   }
 
   void take_everywhere(std::size_t i, Regime found) const {
+    std::size_t held = 0;
+    for (std::size_t n = 0; n < regime_points && held < most_places && !limit_.spent(); ++n) {
+      const LetterValues letters = scan_.point(n);
+      const std::optional<Place> place = place_at(letters, i);
+      if (!place) continue;
+      ++held;
+      if (misfit_of(found.formula, place->value, letters, size_of(place->value)) <= same_branch) continue;
+      solution_.asks[i].formula.reset();
+      solution_.asks[i].no_formula = "the formula found holds for some values of the letters only";
+      return;
+    }
     solution_.asks[i].formula = std::move(found.formula);
     for (HeldCondition& condition : held_)
       if (!condition.bound) std::erase(condition.asks, i);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "poinsot/engine/math/formula/formula_text.h"
@@ -76,6 +77,31 @@ std::optional<Formula> angle_without_half(const std::vector<Formula>& c, double 
   return std::nullopt;
 }
 
+// The polynomial in tan(u) that vanishes with one in t = tan(u/2), where u enters by 2u alone, as in moments and
+// products of inertia: a sin 2u + b cos 2u + d = 0 is a 4 (t - t^3) + b (1 - 6 t^2 + t^4) + d (1 + t^2)^2 = 0 and, with
+// T = tan(u), 2 a T + b (1 - T^2) + d (1 + T^2) = 0.
+std::optional<std::vector<Formula>> in_double_angle(std::vector<Formula> c) {
+  if (c.size() < 3 || c.size() > 5) return std::nullopt;
+  c.resize(5, Formula(0));
+  if (!(c[4] - c[0]).is_zero() || !(c[3] + c[1]).is_zero()) return std::nullopt;
+  const Formula a = c[1] / Formula(4), b = (Formula(2) * c[0] - c[2]) / Formula(8),
+                d = (Formula(6) * c[0] + c[2]) / Formula(8);
+  return std::vector{b + d, Formula(2) * a, d - b};
+}
+
+// The angle u near a value for which such a polynomial in tan(u) vanishes.
+std::optional<Formula> half_of_angle(const std::vector<Formula>& c, double value) {
+  const double twice = std::remainder(2 * value, 2 * std::numbers::pi);
+  const auto half_turns = [](double turned) { return Formula(std::round(turned / std::numbers::pi)) * Formula::pi(); };
+  if (const auto angle = angle_without_half(c, twice)) return *angle / Formula(2) + half_turns(value - twice / 2);
+  const double tangent = std::tan(value);
+  const std::optional<Root> root = root_of(c, tangent);
+  if (!root) return std::nullopt;
+  if (!root->square) return atan(root->root) + half_turns(value - std::atan(tangent));
+  const Formula angle = acos((Formula(1) - *root->square) / (Formula(1) + *root->square)) / Formula(2);
+  return (root->sign < 0 ? -angle : angle) + half_turns(value - twice / 2);
+}
+
 // The formula of an unknown for which an expression vanishes. `degree` orders such formulas by the effort that they
 // took.
 struct Found {
@@ -100,6 +126,8 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
     const auto coefficients = polynomial_in(algebraic, half);
     if (!coefficients) return std::nullopt;
     if (const auto angle = angle_without_half(*coefficients, unknown.value)) return Found{*angle, coefficients->size()};
+    if (const auto doubled = in_double_angle(*coefficients))
+      if (const auto angle = half_of_angle(*doubled, unknown.value)) return Found{*angle, coefficients->size()};
     const std::optional<Root> root = root_of(*coefficients, std::tan(unknown.value / 2));
     if (!root) return std::nullopt;
     if (!root->square) return Found{Formula(2) * atan(root->root), coefficients->size()};

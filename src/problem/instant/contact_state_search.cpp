@@ -198,6 +198,7 @@ class StateSearch {
   Vector3<double> across(std::size_t k) const {
     if (axes_[k]) return *axes_[k];
     const Vector3<double>& n = normals_[k];
+    if (situation_.plane) return normalized(cross(n, Vector3<double>::unit(situation_.plane->normal())));
     return normalized(cross(n, std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0}));
   }
 

@@ -117,7 +117,18 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
       for (std::size_t k = 0; k < 3; ++k) list.push_back({quantity.vector[k] - value[k], quantity.dimension});
     }
   } else {
-    evaluator.fail(fact.mark, "a fact states a number or a vector");
+    const List* stated = fact.value.as<List>();
+    const std::vector<Value<Scalar>>& items = quantity.items;
+    const auto is_number = [](const Value<Scalar>& item) { return item.is_number(); };
+    if (!quantity.is_list() || !std::ranges::all_of(items, is_number))
+      evaluator.fail(fact.mark, "a fact states a number, a vector or a list of numbers");
+    if (!stated || stated->items.size() != items.size())
+      evaluator.fail(
+          fact.mark, "this is a list of " + std::to_string(items.size()) + " numbers",
+          "state as many, any for those that are not known, or one of them: " + to_string(fact.quantity) + "[1]");
+    for (std::size_t k = 0; k < items.size(); ++k)
+      if (const Expression& item = stated->items[k]; !is_any(item))
+        list.push_back({items[k].number - evaluator.number(item, items[k].dimension), items[k].dimension});
   }
   return list;
 }
@@ -175,7 +186,8 @@ void add_velocity_facts(const InstantView<Scalar>& view, const std::vector<const
           for (const Difference<Varied>& difference : differences(fact, varied_at_rest[k], view.situation.file))
             slopes.push_back(difference.value.partial[0]);
           return slopes;
-        });
+        },
+        std::min(1.0, view.scales.length));
   };
   const auto linear_in_impulses = [&](const Instant& instant, const Fact& fact) {
     const ProbePlaces<Scalar> places(solve::impulse_unknowns(machine.mechanism, *blow).size());

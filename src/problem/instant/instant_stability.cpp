@@ -347,7 +347,7 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark, bool 
         "stability is told where all that spins are bodies of revolution, and all that acts from the ground on what "
         "turns acts along the axis, or about it");
   } catch (const std::runtime_error& error) {
-    throw UnansweredError(situation_.file, mark, error.what(), "say what holds or drives every freedom");
+    throw UnansweredError(situation_.file, mark, error.what(), "say what holds or drives every freedom, or give a body without mass a little");
   }
   if (!linearisation_->steady) {
     linearisation_.reset();

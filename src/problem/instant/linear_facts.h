@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,10 +24,13 @@ namespace poinsot::problem {
 template <class Scalar>
 using Conditions = std::vector<solve::ConditionOf<Scalar>>;
 
-// Whether the linear conditions, which were found at other places, predict these values.
+// Whether the linear conditions, which were found at other places, predict these values. unit: the least natural unit
+// of an unknown, by which rounding is measured; if it is infinite, rounding is that of the terms alone.
 template <class Scalar, class Values>
-bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, const Values& values) {
+bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x, double unit, const Values& values) {
   if (values.size() != conditions.size()) return false;
+  double reach = 0;
+  for (const Scalar& each : x) reach = std::max(reach, std::abs(plain(each)) / unit);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     Scalar linear = -conditions[i].value;
     double size = std::abs(plain(linear));
@@ -38,7 +42,11 @@ bool foretell(const Conditions<Scalar>& conditions, const std::vector<Scalar>& x
     // Of the terms, of which a linear fact is foretold to 1e-14. At the farthest place, 1e12, the square of an unknown
     // shows beside the unknown itself with a factor of 1e-21.
     constexpr double foretold = 1e-9;
-    if (!(std::abs(value - plain(linear)) <= foretold * (size + std::abs(value)))) return false;
+    // Where a coefficient vanishes, as that of a rate in a momentum that is to be zero, rounding is all that there is.
+    constexpr double rounding = 1e-14;
+    if (!(std::abs(value - plain(linear)) <=
+          foretold * (size + std::abs(value)) + rounding * conditions[i].scale * reach))
+      return false;
   }
   return true;
 }
@@ -108,7 +116,8 @@ class NumberedScopes {
 template <class Scalar, class ValuesAt, class Slopes>
 std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solve::Scales& scales,
                                             const ProbePlaces<Scalar>& places, const ValuesAt& values,
-                                            const Slopes& slopes) {
+                                            const Slopes& slopes,
+                                            double unit = std::numeric_limits<double>::infinity()) {
   using Places = ProbePlaces<Scalar>;
   const std::size_t n = places.unknowns();
   try {
@@ -126,7 +135,7 @@ std::optional<Conditions<Scalar>> as_linear(const std::string& words, const solv
       for (std::size_t reach = 0; reach < Places::reaches; ++reach) {
         const std::size_t place = Places::far(side, reach);
         const std::vector<Difference<Scalar>> there = values(place);
-        if (!foretell(conditions, places[place], there)) return std::nullopt;
+        if (!foretell(conditions, places[place], unit, there)) return std::nullopt;
         if (notice(base, there)) break;
       }
     return conditions;

@@ -21,7 +21,7 @@ std::vector<std::string> moved_names(const solve::LinearSystem& equations, const
   if (direction < solution.share.size())
     std::ranges::copy_if(solution.share[direction], std::back_inserter(moved),
                          [&](std::size_t k) { return k >= first && k < last; });
-  std::ranges::stable_partition(moved, [&](std::size_t k) { return asked.contains(k); });
+  std::stable_partition(moved.begin(), moved.end(), [&](std::size_t k) { return asked.contains(k); });
   std::vector<std::string> names;
   for (const std::size_t k : moved) names.emplace_back(equations.name(k));
   if (names.size() > 6) {

@@ -28,12 +28,20 @@ class VectorsOfPlane {
           complete(value);
       } else if (key && key->type == KeyType::vector) {
         complete(value);
+      } else if (object == "problem" && name.text == "expect") {
+        continue;
       } else if (key && key->type == KeyType::named && !key->object_name.empty()) {
-        for (auto& [each, map] : value.members) complete_map(map, key->object_name);
+        for (auto& [each, map] : value.members) {
+          complete_map(map, key->object_name);
+          if (!map.is_map()) complete_within(map);
+        }
       } else if (key && key->type == KeyType::object) {
         complete_map(value, key->object_name.empty() ? key->key : key->object_name);
       } else {
         complete_items(value);
+        if (key && (key->type == KeyType::text || key->type == KeyType::name)) continue;
+        complete_text(name.text, true);
+        complete_within(value);
       }
     }
   }
@@ -47,11 +55,22 @@ class VectorsOfPlane {
       zero.mark = entry.mark;
       entry.items.insert(entry.items.begin() + static_cast<std::ptrdiff_t>(normal_), std::move(zero));
     }
-    if (entry.is_scalar()) complete_text(entry.text);
+    if (entry.is_scalar()) complete_text(entry.text, false);
     complete_items(entry);
   }
+  // What is asked, known or claimed: there a list by itself is one of several things, and within an expression a
+  // vector.
+  void complete_within(Entry& entry) const {
+    if (entry.is_scalar()) complete_text(entry.text, true);
+    for (Entry& item : entry.items) complete_within(item);
+    for (auto& [name, value] : entry.members) {
+      complete_text(name.text, true);
+      complete_within(value);
+    }
+  }
   // Lists of two within an expression, as in 'A + [a, b]'; those of max([a, b]) and the like are lists of numbers.
-  void complete_text(std::string& text) const {
+  // within: leaves a list alone that is the whole text.
+  void complete_text(std::string& text, bool within) const {
     struct Bracket {
       std::size_t at = 0, comma = 0, commas = 0;
       int parentheses = 0;
@@ -75,7 +94,9 @@ class VectorsOfPlane {
       if (text[i] != ']') continue;
       const std::string_view before = std::string_view(text).substr(0, last.at);
       const bool numbers = before.ends_with("max(") || before.ends_with("min(");
-      if (last.commas == 1 && !last.holds_list && !numbers) {
+      const bool whole = before.find_first_not_of(' ') == std::string_view::npos &&
+                         text.find_first_not_of(' ', i + 1) == std::string::npos;
+      if (last.commas == 1 && !last.holds_list && !numbers && !(within && (whole || open.size() > 1))) {
         const std::size_t at = normal_ == 0 ? last.at + 1 : normal_ == 1 ? last.comma + 1 : i;
         const std::string_view zero = normal_ == 2 ? ", 0" : " 0,";
         text.insert(at, zero);

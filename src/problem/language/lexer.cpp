@@ -195,8 +195,9 @@ class Lexer {
     while (begin < text_.size() && is_blank(text_[begin])) ++begin;
     if (begin == number_end || begin >= text_.size()) return std::string_view::npos;
     if (any_of(unit_signs, rest(begin)) > 0) return begin;
-    const bool reciprocal = rest(begin).substr(0, 2) == "1/" && begin + 2 < text_.size() && is_letter(text_[begin + 2]);
-    if (reciprocal) return begin;
+    if (rest(begin).starts_with("1/") && begin + 2 < text_.size() && is_letter(text_[begin + 2]) &&
+        is_unit_like(begin + 2))
+      return begin;
     if (!is_letter(text_[begin])) return std::string_view::npos;
     return is_preposition_word(begin) ? std::string_view::npos : begin;
   }
@@ -220,7 +221,8 @@ class Lexer {
   }
 
   // Finds the end of a unit. Its factors are joined without blanks; signs that are wrong in a unit are included, so
-  // that the grammar of units can refuse them.
+  // that the grammar of units can refuse them. A word that can be no unit ends it: in 40 mm*cos(b) and 3 m-r the sign
+  // is an operator.
   std::size_t unit_end(std::size_t begin) const {
     std::size_t end = begin;
     const auto piece = [&](std::size_t from) -> std::size_t {
@@ -232,6 +234,7 @@ class Lexer {
     const auto begins_piece = [&](std::size_t from) {
       return from < text_.size() && (is_letter(text_[from]) || text_[from] == '%');
     };
+    const auto begins_factor = [&](std::size_t from) { return begins_piece(from) && is_unit_like(from); };
     end = text_[begin] == '1' ? begin + 1 : piece(begin);
     while (end < text_.size()) {
       if (const std::size_t raised = any_of(raised_digits, rest(end))) {
@@ -242,9 +245,11 @@ class Lexer {
         end += 3;
       } else if (const std::size_t dot = any_of(foreign_products, rest(end)); dot > 0 && begins_piece(end + dot)) {
         end = piece(end + dot);
-      } else if (std::string_view("*/.").find(text_[end]) != std::string_view::npos && begins_piece(end + 1)) {
+      } else if (text_[end] == '.' && begins_piece(end + 1)) {
         end = piece(end + 1);
-      } else if (text_[end] == '-' && begins_piece(end + 1)) {
+      } else if ((text_[end] == '*' || text_[end] == '/') && begins_factor(end + 1)) {
+        end = piece(end + 1);
+      } else if (text_[end] == '-' && begins_factor(end + 1)) {
         refuse_hyphen(begin, end, piece(end + 1));
       } else if ((text_[end] == '*' || text_[end] == '/') && end + 1 < text_.size() && text_[end + 1] == '(') {
         refuse_parenthesised_unit(end);

@@ -320,7 +320,8 @@ template <class Scalar>
 Scalar DataScope<Scalar>::gravity_size() {
   if (const NamedExpression* item = find_named(situation_.given, "g")) {
     Scalar g = number(name_expression("g", item->mark), dimensions::acceleration);
-    if (!(plain(g) > 0)) fail(situation_.file, item->mark, "g must be positive");
+    if (!(plain(g) > 0))
+      fail(situation_.file, item->mark, "g must be positive", "write gravity: none where nothing is pulled");
     constexpr double same_size = 1e-9;  // components of a tilted gravity may be stated to nine digits
     const List* vector = situation_.gravity ? situation_.gravity->as<List>() : nullptr;
     if (vector && vector->items.size() == 3) {

@@ -45,11 +45,15 @@ void check_sides(MachineDraft<Scalar>& draft, const Contact& contact, const Vect
   const auto other = std::find_if(draft.situation.bodies.begin(), draft.situation.bodies.end(),
                                   [&](const Body& body) { return body.name == contact.against; });
   if (other == draft.situation.bodies.end()) return;
-  if (is_particle(*other))
+  if (is_particle(*other)) {
+    const auto own = std::ranges::find(draft.situation.bodies, contact.of, &Body::name);
+    const bool both = own != draft.situation.bodies.end() && is_particle(*own);
     fail(draft.situation.file, contact.mark,
          "'" + other->name + "' is a particle, which has no surface that '" + contact.of + "' could touch",
-         "state the contact from the particle: of: " + other->name + ", against: " + contact.of +
-             ", with the normal into it");
+         both ? "two particles do not meet: give '" + other->name + "' a shape, such as a box or a sphere"
+              : "state the contact from the particle: of: " + other->name + ", against: " + contact.of +
+                    ", with the normal into it");
+  }
   refuse_beside(contact.against, on_other);
 }
 

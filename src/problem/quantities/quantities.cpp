@@ -294,7 +294,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::member(const Member& member, const Ma
   const Result object = evaluator(member.object);
   if (is_record(object)) return named_item(object, member.name, mark, evaluator);
   const auto axis = std::find(situation_.axes.begin(), situation_.axes.end(), member.name);
-  if (!object.is_vector()) evaluator.fail(mark, "only vectors have components");
+  if (!object.is_vector())
+    evaluator.fail(mark, "only vectors have components",
+                   object.is_list() ? "an element of a list is taken by [1]" : "");
   if (axis == situation_.axes.end())
     evaluator.fail(mark, "there is no component '" + member.name + "'",
                    "the components are ." + situation_.axes[0] + " ." + situation_.axes[1] + " ." + situation_.axes[2]);

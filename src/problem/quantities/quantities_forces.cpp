@@ -179,8 +179,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
   const bool one_pair = begin_there.empty() && std::ranges::all_of(actions, [&](std::size_t i) {
                           return mechanism.actions[i].on == first.on && mechanism.actions[i].from == first.from;
                         });
-  const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
-                        const Dimension& dimension, const Vector3<Base>& along = Vector3<Base>::zero()) {
+  const auto told_along = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
+                              const Dimension& dimension, const Vector3<Base>& along) {
     Result result = as_vector(value, dimension);
     if (tells() && !tells_rates && one_pair)
       told_->push_back({.kind = kind,
@@ -192,6 +192,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
                         .value = plain_vector(result.vector),
                         .words = call.function});
     return result;
+  };
+  const auto told = [&](ToldQuantity::Kind kind, const Vector3<Base>& place, const Vector3<Base>& value,
+                        const Dimension& dimension) {
+    return told_along(kind, place, value, dimension, Vector3<Base>::zero());
   };
   // The place at which the first component of these actions is carried.
   const solve::MechanismStateOf<Base>& now = sudden ? *before_ : *mechanism_state_;
@@ -231,7 +235,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     const Vector3<Base> u = now.direction({mesh->carrier, f == "tangential_force" ? side.tangential
                                                           : f == "radial_force"   ? side.radial
                                                                                   : side.axial});
-    return told(Kind::force_along, nowhere, dot(wrench.force, u) * u, dimensions::force, u);
+    return told_along(Kind::force_along, nowhere, dot(wrench.force, u) * u, dimensions::force, u);
   }
   if (f == "tension") {
     // The component is along the cord and may be negative, so that a cord that would have to push shows a negative
@@ -276,7 +280,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::force(const Call& call, const Mark& m
     for (const Drive<Base>& drive : mechanism.drives) {
       if (drive.action != static_cast<int>(actions.front())) continue;
       const Vector3<Base> d = mechanism_state_->direction(drive.along);
-      return drive.turning ? told(Kind::effort, own_place(), dot(wrench.moment, d) * d, dimensions::moment, d)
+      return drive.turning ? told_along(Kind::effort, own_place(), dot(wrench.moment, d) * d, dimensions::moment, d)
                            : told(Kind::force, nowhere, wrench.force, dimensions::force);
     }
   }

@@ -179,5 +179,17 @@ template Value<Dual<1, Dual<1>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::frict
 template Value<Formula> QuantityScope<Formula>::friction(const Call&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::friction(const Call&,
                                                                                     const Evaluator<Dual<1, Formula>>&);
+template std::optional<Value<double>> QuantityScope<double>::push_of_smooth(const std::string&, const Call&,
+                                                                            const Evaluator<double>&);
+template std::optional<Value<Dual<1>>> QuantityScope<Dual<1>, double>::push_of_smooth(const std::string&, const Call&,
+                                                                                      const Evaluator<Dual<1>>&);
+template std::optional<Value<Dual<1>>> QuantityScope<Dual<1>>::push_of_smooth(const std::string&, const Call&,
+                                                                              const Evaluator<Dual<1>>&);
+template std::optional<Value<Dual<1, Dual<1>>>> QuantityScope<Dual<1, Dual<1>>, Dual<1>>::push_of_smooth(
+    const std::string&, const Call&, const Evaluator<Dual<1, Dual<1>>>&);
+template std::optional<Value<Formula>> QuantityScope<Formula>::push_of_smooth(const std::string&, const Call&,
+                                                                              const Evaluator<Formula>&);
+template std::optional<Value<Dual<1, Formula>>> QuantityScope<Dual<1, Formula>, Formula>::push_of_smooth(
+    const std::string&, const Call&, const Evaluator<Dual<1, Formula>>&);
 
 }  // namespace poinsot::problem

@@ -219,5 +219,54 @@ template Value<Dual<1>> QuantityScope<Dual<1>, double>::geometry(const Call&, co
 template Value<Formula> QuantityScope<Formula>::geometry(const Call&, const Evaluator<Formula>&);
 template Value<Dual<1, Formula>> QuantityScope<Dual<1, Formula>, Formula>::geometry(const Call&,
                                                                                     const Evaluator<Dual<1, Formula>>&);
+template void QuantityScope<double>::tell_position(int, const std::optional<Vector3<double>>&, const Vector3<double>&,
+                                                   const std::string&);
+template void QuantityScope<double>::tell_direction(int, const Vector3<double>&, const Vector3<double>&,
+                                                    const std::string&);
+template void QuantityScope<double>::tell_geometry(ToldQuantity::Kind, const Vector3<double>&, const Vector3<double>&,
+                                                   const Vector3<double>&, const double&, const std::string&);
+template void QuantityScope<Dual<1>, double>::tell_position(int, const std::optional<Vector3<double>>&,
+                                                            const Vector3<Dual<1>>&, const std::string&);
+template void QuantityScope<Dual<1>, double>::tell_direction(int, const Vector3<double>&, const Vector3<Dual<1>>&,
+                                                             const std::string&);
+template void QuantityScope<Dual<1>, double>::tell_geometry(ToldQuantity::Kind, const Vector3<Dual<1>>&,
+                                                            const Vector3<Dual<1>>&, const Vector3<Dual<1>>&,
+                                                            const Dual<1>&, const std::string&);
+template void QuantityScope<Dual<1>>::tell_position(int, const std::optional<Vector3<Dual<1>>>&,
+                                                    const Vector3<Dual<1>>&, const std::string&);
+template void QuantityScope<Dual<1>>::tell_direction(int, const Vector3<Dual<1>>&, const Vector3<Dual<1>>&,
+                                                     const std::string&);
+template void QuantityScope<Dual<1>>::tell_geometry(ToldQuantity::Kind, const Vector3<Dual<1>>&,
+                                                    const Vector3<Dual<1>>&, const Vector3<Dual<1>>&, const Dual<1>&,
+                                                    const std::string&);
+template void QuantityScope<Dual<1, Dual<1>>, Dual<1>>::tell_position(int, const std::optional<Vector3<Dual<1>>>&,
+                                                                      const Vector3<Dual<1, Dual<1>>>&,
+                                                                      const std::string&);
+template void QuantityScope<Dual<1, Dual<1>>, Dual<1>>::tell_direction(int, const Vector3<Dual<1>>&,
+                                                                       const Vector3<Dual<1, Dual<1>>>&,
+                                                                       const std::string&);
+template void QuantityScope<Dual<1, Dual<1>>, Dual<1>>::tell_geometry(ToldQuantity::Kind,
+                                                                      const Vector3<Dual<1, Dual<1>>>&,
+                                                                      const Vector3<Dual<1, Dual<1>>>&,
+                                                                      const Vector3<Dual<1, Dual<1>>>&,
+                                                                      const Dual<1, Dual<1>>&, const std::string&);
+template void QuantityScope<Formula>::tell_position(int, const std::optional<Vector3<Formula>>&,
+                                                    const Vector3<Formula>&, const std::string&);
+template void QuantityScope<Formula>::tell_direction(int, const Vector3<Formula>&, const Vector3<Formula>&,
+                                                     const std::string&);
+template void QuantityScope<Formula>::tell_geometry(ToldQuantity::Kind, const Vector3<Formula>&,
+                                                    const Vector3<Formula>&, const Vector3<Formula>&, const Formula&,
+                                                    const std::string&);
+template void QuantityScope<Dual<1, Formula>, Formula>::tell_position(int, const std::optional<Vector3<Formula>>&,
+                                                                      const Vector3<Dual<1, Formula>>&,
+                                                                      const std::string&);
+template void QuantityScope<Dual<1, Formula>, Formula>::tell_direction(int, const Vector3<Formula>&,
+                                                                       const Vector3<Dual<1, Formula>>&,
+                                                                       const std::string&);
+template void QuantityScope<Dual<1, Formula>, Formula>::tell_geometry(ToldQuantity::Kind,
+                                                                      const Vector3<Dual<1, Formula>>&,
+                                                                      const Vector3<Dual<1, Formula>>&,
+                                                                      const Vector3<Dual<1, Formula>>&,
+                                                                      const Dual<1, Formula>&, const std::string&);
 
 }  // namespace poinsot::problem

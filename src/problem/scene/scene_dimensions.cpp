@@ -120,7 +120,10 @@ class Dimensions {
   std::string effort_text(const Expression& effort) {
     std::string written = to_string(effort);
     const auto given = std::ranges::find(figure_.situation().given, written, &NamedExpression::name);
-    if (given == figure_.situation().given.end()) return "friction " + written;
+    if (given == figure_.situation().given.end()) {
+      std::ranges::replace(written, '*', ' ');
+      return "friction " + written;
+    }
     if (is_open(written)) return written;
     return written + " = " + to_string(given->value);
   }
@@ -225,6 +228,18 @@ class Dimensions {
     Vector3<double> axis{0, 0, 1};
     for (const char* given : {"normal", "axis"})
       if (has(given)) axis = figure_.data().direction(shape_argument(shape, given, file));
+    if ((argument == "radius" || argument == "inner_radius") && has("middle") && has("angle")) {
+      // Of a part of a disk or ring the radii are drawn where it is, the two apart.
+      constexpr double aside = 0.6;
+      const Value<double> toward = figure_.data().value(shape_argument(shape, "middle", file));
+      const double turn = (argument == "radius" ? aside : -aside) / 2 *
+                          figure_.data().number(shape_argument(shape, "angle", file), dimensions::angle);
+      Vector3<double> middle = toward.dimension == dimensions::length ? toward.vector - center : toward.vector;
+      middle = normalized(Vector3<double>(middle - dot(middle, axis) * axis));
+      put(name, {body, center},
+          {body, center + value * (std::cos(turn) * middle + std::sin(turn) * cross(axis, middle))});
+      return true;
+    }
     if (argument == "radius" || argument == "inner_radius") {
       // Of a sphere the horizontal radii: one of them is seen at its length.
       if (shape.kind == "sphere") {

@@ -225,13 +225,24 @@ class ModelDiagram {
     if (!situation().steady) return;
     for (const Spin& spin : situation().steady->spins) try {
         const double rate = figure_.data().number(spin.rate, dimensions::angular_velocity);
-        const Vector3<double> vector = rate * figure_.data().direction(spin.about);
+        const Vector3<double> vector = rate * axis_of(spin);
         const ArrowSymbol symbol = symbol_of(spin.rate, turning("spin"));
         if (!is_drawn(symbol, vector))
           add(Quantity::angular_velocity, spin.body, center_of(figure_.machine().index.at(spin.body)), vector, symbol);
       } catch (const StatementError&) {
         // What has no value yet is not drawn.
       }
+  }
+
+  // Where it spins, about the axis of a joint that may have turned.
+  Vector3<double> axis_of(const Spin& spin) {
+    const Call* call = spin.about.as<Call>();
+    if (call && call->function == "axis" && call->arguments.size() == 1) {
+      const auto joint = figure_.machine().joints.find(to_string(call->arguments.front().value));
+      if (joint != figure_.machine().joints.end() && joint->second.axis)
+        return figure_.state().direction(*joint->second.axis);
+    }
+    return figure_.data().direction(spin.about);
   }
 
   // A joint or a frame may have stated the same.

@@ -7,6 +7,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/choice_clash.h"
+#include "problem/unknowns/choice_witness.h"
 #include "problem/unknowns/unknown_blocks.h"
 #include "problem/unknowns/unknown_search.h"
 
@@ -21,6 +22,37 @@ constexpr double same_total = 1e-9;
 
 std::string place_of(const Statement& statement, const Mark& mark) {
   return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
+}
+
+// What a second road finds against the roots of a choice.
+std::optional<std::string> doubt_of(const Statement& statement, UnknownEquations& equations, const Choice& choice,
+                                    const std::vector<AllSettings>& roots) {
+  // What must hold besides may exclude what fulfils the equations.
+  for (const Situation& situation : statement.situations)
+    if (!situation.where.empty() || !situation.contacts.empty() || !situation.cords.empty()) return std::nullopt;
+  const std::vector<UnknownSlot>& slots = equations.slots();
+  std::vector<std::vector<std::size_t>> amounts;
+  for (const std::string& name : choice.of) {
+    const std::set<std::string> unknowns = unknowns_of_amount(statement, name);
+    std::vector<std::size_t>& own = amounts.emplace_back();
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      if (unknowns.contains(slots[k].unknown.name)) own.push_back(k);
+  }
+  ChoicesFound found;
+  if (!choice.least_total) found.exactly = static_cast<int>(choice.exactly);
+  for (const AllSettings& root : roots) {
+    std::vector<double>& values = found.solutions.emplace_back();
+    for (const UnknownSlot& slot : slots) {
+      if (slot.unknown.vector) return std::nullopt;
+      for (const Settings& one : root)
+        if (const auto value = one.find(slot.unknown.name); value != one.end()) {
+          values.push_back(value->second.number);
+          break;
+        }
+    }
+    if (values.size() != slots.size()) return std::nullopt;
+  }
+  return choice_doubt(equations, amounts, found);
 }
 
 }  // namespace
@@ -64,7 +96,14 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
   RootsFound all;
   for (const double zero : {1e-13, 1e-11, 1e-9}) {
     all = find_subsets(system, settings, choice, zero);
-    if (!all.roots.empty() || limit_.spent()) return all;
+    if (!all.roots.empty() || limit_.spent()) break;
+  }
+  if (all.roots.empty() || limit_.spent()) return all;
+  UnknownEquations equations = equations_of(system, settings);
+  if (const std::optional<std::string> doubt = doubt_of(statement_, equations, choice, all.roots)) {
+    all.roots.clear();
+    all.warnings.push_back(place_of(statement_, choice.mark) + "what was found of '" + choice.name +
+                           "' is not confirmed: " + *doubt);
   }
   return all;
 }

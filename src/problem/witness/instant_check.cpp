@@ -6,6 +6,7 @@
 #include "poinsot/engine/solve/instant/constraint_check.h"
 #include "poinsot/engine/solve/stability/spectrum_check.h"
 #include "problem/instant/instant.h"
+#include "problem/witness/riding_witness.h"
 #include "problem/witness/stated_blows.h"
 #include "problem/witness/stated_forces.h"
 #include "problem/witness/stated_springs.h"
@@ -119,6 +120,9 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (linearisation_) {
     Mechanism<double> near;
     residuals.stability = solve::spectrum_misfit(steady_motion({1, 1}, near), *linearisation_);
+    const Vector3<double> taken = machine_.mechanism.tree.gravity() - near.tree.gravity();
+    if (const double riding = riding_misfit(situation_, machine_, mechanism_state_->state(), taken); riding > 0)
+      residuals.stability = std::max(residuals.stability.value_or(0), riding);
   }
   residuals.response = response_misfit_;
   std::vector<solve::CheckBody> bodies;

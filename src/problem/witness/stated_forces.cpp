@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "poinsot/engine/model/state.h"
 #include "poinsot/engine/solve/instant/equations.h"
@@ -109,7 +110,10 @@ class StatedForces {
     const std::vector<Drive<double>>& drives = machine_.mechanism.drives;
     const auto drive = std::ranges::find_if(
         drives, [&](const Drive<double>& one) { return place && one.action == static_cast<int>(*place); });
-    const std::optional<DrawnSpring> drawn = springs_.drawn(joint, freedom);
+    // How far it has come tells of springs and dampers alone.
+    const std::optional<DrawnSpring> drawn = freedom.stiffness || freedom.damping
+                                                 ? springs_.drawn(joint, freedom)
+                                                 : std::optional<DrawnSpring>(std::in_place);
     if (drive == drives.end() || !drawn) return std::nullopt;
     const Real k = springs_.stiffness(freedom), c = springs_.damping(freedom);
     Real effort = -k * drawn->out - c * drawn->rate;
@@ -126,7 +130,10 @@ class StatedForces {
     StatedForce found{*place};
     (freedom.turning ? found.couple : found.force) = sign * effort * axis;
     found.at = paths_.place(to, widened(moved.anchor));
-    if (!drive->others.empty()) found.only_about = axis;
+    if (!drive->others.empty()) {
+      found.only_about = axis;
+      found.none_about = turning_beside(link, to, machine_.index.at(joint.from));
+    }
     found.size = k * drawn->size + c * std::max(std::abs(drawn->rate), paths_.pace() * drawn->size);
     return found;
   }
@@ -153,6 +160,25 @@ class StatedForces {
     };
     const auto link = std::ranges::find_if(machine_.links, moves);
     return static_cast<int>(link - machine_.links.begin());
+  }
+  // The axes of the other freedoms of a joint that turn; none where they leave no couple about the axis of this one
+  // alone.
+  std::vector<Vector> turning_beside(int link, int to, int from) const {
+    const bool outwards = hangs_on(to, link);
+    const int end = outwards ? from : to;
+    std::vector<Vector> axes;
+    for (int i = outwards ? to : from; i >= 0 && i != end; i = machine_.links[static_cast<std::size_t>(i)].parent) {
+      const solve::CheckLink& other = machine_.links[static_cast<std::size_t>(i)];
+      if (i != link && other.type == JointType::revolute)
+        axes.push_back(paths_.turn(i) * normalized(widened(other.axis)));
+    }
+    const Vector own = paths_.turn(link) * normalized(widened(machine_.links[static_cast<std::size_t>(link)].axis));
+    constexpr Real in_one_plane = 1e-6L;  // sine and volume of axes that are nearly so
+    const Vector across = axes.size() == 2 ? cross(axes[0], axes[1]) : Vector::zero();
+    const Real room = axes.size() == 1   ? norm(cross(own, axes[0]))
+                      : axes.size() == 2 ? std::abs(dot(own, across))
+                                         : Real(0);
+    return room > in_one_plane ? axes : std::vector<Vector>();
   }
   bool hangs_on(int body, int link) const {
     for (int i = body; i >= 0; i = machine_.links[static_cast<std::size_t>(i)].parent)
@@ -257,6 +283,7 @@ double misfit_of_laws(const solve::MechanismState& state, const Machine& machine
                moment_size = norm(widened(known.moment)) + norm(one.couple) + one.size + length * force_size;
     if (one.only_about) {
       compare(dot(moment - one.couple, *one.only_about) * *one.only_about, moment_size);
+      for (const Vector& other : one.none_about) compare(dot(moment, other) * other, moment_size);
       continue;
     }
     compare(widened(known.force) - one.force, force_size);

@@ -19,8 +19,10 @@ struct StatedForce {
   std::size_t action = 0;  // its place among those of the mechanism
   Vector force = Vector::zero(), couple = Vector::zero();
   Vector at = Vector::zero();  // where the force acts
-  // Of a motor within gimbals: only the couple about its own axis is stated.
+  // Of a motor within gimbals: only the couple about its own axis is stated, and about those that turn freely there is
+  // none.
   std::optional<Vector> only_about{};
+  std::vector<Vector> none_about{};
   Real size = 0;  // of the terms of either
   // Of the pull of a center, whose couple is small beside the moment of its force: what is to be seen of it, about the
   // place where the force acts.

@@ -197,5 +197,47 @@ TEST(Conventions, a_pin_that_is_seen_from_above_has_no_side_that_is_down) {
   EXPECT_GT(strokes({0, -1, 0}, {0, 1, 0}), 4U);
 }
 
+// The planes of a groove and of a corner end where they meet, and each alone goes on to both sides of its place.
+TEST(Conventions, surfaces_that_meet_do_not_cross) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> slope(0.2, 1.3);
+  for (int round = 0; round < 20; ++round) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.bodies = {{.name = "ball", .mass = 1, .center = {0, 2, 0}}};
+    const double left = slope(random), right = slope(random);
+    const Vector normals[2] = {{std::sin(left), std::cos(left), 0}, {-std::sin(right), std::cos(right), 0}};
+    for (const Vector& normal : normals)
+      scene.curves.push_back({.kind = scene::CurveKind::surface, .name = "side", .points = {{}, normal}});
+    const auto lines = [&] {
+      std::vector<const Stroke*> found;
+      static Drawing drawing;
+      drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, scene.up)});
+      for (const Stroke* stroke : strokes_of(drawing, Role::symbol))
+        if (stroke->width > 1 && stroke->points.size() == 2) found.push_back(stroke);
+      return found;
+    };
+    const std::vector<const Stroke*> both = lines();
+    ASSERT_EQ(both.size(), 2U);
+    // One end of each is where they meet, which is the lowest point of both.
+    double nearest = 1e300;
+    Point2 meets;
+    for (const Point2& a : both[0]->points)
+      for (const Point2& b : both[1]->points)
+        if (norm(a - b) < nearest) {
+          nearest = norm(a - b);
+          meets = a;
+        }
+    EXPECT_LT(nearest, 1e-6);
+    for (const Stroke* stroke : both)
+      for (const Point2& point : stroke->points) EXPECT_LE(point.y, meets.y + 1e-6) << round;
+    const double half = norm(both[0]->points[1] - both[0]->points[0]);
+    scene.curves.pop_back();
+    const std::vector<const Stroke*> alone = lines();
+    ASSERT_EQ(alone.size(), 1U);
+    EXPECT_NEAR(norm(alone[0]->points[1] - alone[0]->points[0]), 2 * half, 1e-6);
+  }
+}
+
 }  // namespace conventions_test
 }  // namespace poinsot

@@ -122,5 +122,26 @@ TEST(FrictionLimits, are_the_same_at_every_scale) {
   }
 }
 
+// A crate that slides on two feet, b apart, pushed at a height: it tips where the push and the friction at the floor
+// have the moment of half its breadth about its mass center.
+TEST(FrictionLimits, up_to_which_a_contact_touches_are_found_while_others_slide) {
+  constexpr double m = 20, b = 0.5, H = 1.4, h = 1.1, mu = 0.2;
+  const std::string text = fmt::format(
+      "given: {{P: 1 N}}\npoints: {{A: [0, 0, 0], B: [{0} m, 0, 0], Q: [0, {2} m, 0]}}\n"
+      "bodies: {{crate: {{box: {{center: [{0} m/2, {1} m/2, 0], sides: [{0} m * x, {1} m * y, 0.5 m * z]}}, mass: 20 "
+      "kg}}}}\n"
+      "joints: {{plane: {{planar: z, at: [0, 0, 0], to: crate}}}}\n"
+      "contacts:\n  l: {{of: crate, at: A, normal: y, friction: {3}}}\n  r: {{of: crate, at: B, normal: y, friction: "
+      "{3}}}\n"
+      "loads: {{push: {{force: [P, 0, 0], at: Q, body: crate}}}}\ngravity: -y\n"
+      "instants: {{now: {{velocity(crate): [1 m/s, 0, 0], angular_velocity(crate): [0, 0, 0]}}}}\n"
+      "ask: {{most: {{largest: P, while: touching(l)}}, quick: {{smallest: P, while: acceleration(crate).x > 0.5 "
+      "m/s^2}}}}\n",
+      b, H, h, mu);
+  const Solution solution = solved(text).solutions.at(0);
+  EXPECT_NEAR(number(solution, 0), m * g * (b / 2 - mu * H / 2) / (h - H / 2), 1e-5);
+  EXPECT_NEAR(number(solution, 1), m * (0.5 + mu * g), 1e-5);
+}
+
 }  // namespace friction_limits_test
 }  // namespace poinsot::problem

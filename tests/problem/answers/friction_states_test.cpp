@@ -12,6 +12,7 @@
 
 #include "problem/answers/solve_statement.h"
 #include "problem/language/diagnostic.h"
+#include "problem/plane/planar_statement.h"
 
 namespace poinsot::problem {
 namespace friction_states_test {
@@ -294,6 +295,34 @@ TEST(FrictionStates, claims_of_words_are_held_in_their_states_alone) {
     // No letters fulfil what is assumed in the other state.
     EXPECT_EQ(found.solutions[own].claims[1 - own].state, AskState::undetermined) << own;
   }
+}
+
+// Three that lie on each other, of which the lowest is driven: the middle one begins to slide on it, and the upper one
+// on that where its friction is less than it needs, whatever way all of them move.
+TEST(FrictionStates, of_three_on_each_other_do_not_depend_on_how_all_of_them_move) {
+  constexpr double F = 17.65, Q = 9.8;
+  for (const double v : {-2.0, 0.0, 2.0})
+    for (const double mu : {0.3, 0.19}) {
+      Statement statement = read_statement(
+          fmt::format(
+              "plane: [x, y]\ngiven: {{v: {} m/s, F: {} N, Q: {} N, mu: {}}}\npoints: {{C: [0, 0]}}\nbodies:\n"
+              "  a: {{box: {{center: [0, -0.3 m, 0], sides: [100 m * x, 0.2 m * y, 1 m * z]}}, mass: 1 kg}}\n"
+              "  b: {{box: {{center: [0, -0.1 m, 0], sides: [100 m * x, 0.2 m * y, 1 m * z]}}, mass: 2 kg}}\n"
+              "  c: {{particle: C, mass: 3 kg}}\njoints:\n  low: {{prismatic: x, at: C, to: a, rate: v, force: F}}\n"
+              "  mid: {{prismatic: x, at: C, from: a, to: b, rate: 0, friction: Q}}\n"
+              "contacts: {{top: {{of: c, against: b, at: C, normal: y, friction: mu}}}}\ngravity: -y\n"
+              "instants: {{start: {{velocity(c): [v, 0]}}}}\n"
+              "ask: {{a: acceleration(a).x, b: acceleration(b).x, c: acceleration(c).x}}\n",
+              v, F, Q, mu),
+          "test.yaml");
+      restrict_to_plane(statement);
+      const SolvedStatement found = solve_statement(statement, {});
+      ASSERT_EQ(found.solutions.size(), 1U) << v << " " << mu;
+      const double together = Q / 5, most = mu * g, upper = std::min(together, most);
+      EXPECT_NEAR(number(found.solutions[0], 0), F - Q, 1e-9) << v << " " << mu;
+      EXPECT_NEAR(number(found.solutions[0], 1), (Q - 3 * upper) / 2, 1e-9) << v << " " << mu;
+      EXPECT_NEAR(number(found.solutions[0], 2), upper, 1e-9) << v << " " << mu;
+    }
 }
 
 }  // namespace friction_states_test

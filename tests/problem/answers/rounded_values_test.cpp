@@ -22,7 +22,7 @@ TEST(DropNoise, keeps_what_rounding_the_other_way_does_not_move) {
     return Value<double>::of_vector({x, y, z}, dimensions::force);
   };
   Value<double> value = vector(1e9, 1e-6, 3e-8);
-  drop_noise(value, 1e9, 1e9, {vector(1e9, 1e-6, -2e-8), vector(1e9, 1.00001e-6, 3e-8)});
+  drop_noise(value, 1e9, 1e9, {vector(1e9, 1e-6, -2e-8), vector(1e9, 1.00001e-6, 3e-8)}, noise_of_instant);
   EXPECT_EQ(value.vector.x, 1e9);
   EXPECT_EQ(value.vector.y, 1e-6);
   EXPECT_EQ(value.vector.z, 0);
@@ -30,9 +30,9 @@ TEST(DropNoise, keeps_what_rounding_the_other_way_does_not_move) {
 
 TEST(DropNoise, without_other_roundings_goes_by_the_size_of_what_is_asked) {
   Value<double> value = Value<double>::of_number(1e-9, dimensions::force);
-  drop_noise(value, 1e9, 1, {});
+  drop_noise(value, 1e9, 1, {}, noise_of_instant);
   EXPECT_EQ(value.number, 1e-9);
-  drop_noise(value, 1e9, 1e6, {});
+  drop_noise(value, 1e9, 1e6, {}, noise_of_instant);
   EXPECT_EQ(value.number, 0);
 }
 

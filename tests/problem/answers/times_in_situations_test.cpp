@@ -28,6 +28,21 @@ TEST(TimesInSituations, AreAskedInEitherOrderAndOfSums) {
   EXPECT_NEAR(solved.number("h"), 12, 1e-9);
 }
 
+TEST(TimesInSituations, OfStatesOfContacts) {
+  const SolvedText solved(
+      "given: {h: 0.5 m}\npoints: {O: [0, 0, 0], C: [0, h, 0]}\nbodies: {ball: {particle: C, mass: 1 kg}}\n"
+      "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O, friction: 0.2}}\n"
+      "instants: {start: {velocity(ball): [3 m/s, 0, 0]}}\n"
+      "situations: {near: {gravity: [0, -10 m/s^2, 0]}, far: {gravity: [0, -1.6 m/s^2, 0]}}\n"
+      "ask:\n  a: {first_time: touching(floor) @ near}\n  b: {first_time: touching(floor) @ far}\n"
+      "  c: {times: sticking(floor) @ near, from: 0 s, to: 5 s}\n");
+  EXPECT_NEAR(solved.number("a"), std::sqrt(1.0 / 10), 1e-9);
+  EXPECT_NEAR(solved.number("b"), std::sqrt(1.0 / 1.6), 1e-9);
+  const double lands = std::sqrt(1.0 / 10), slides = 3 - 0.2 * 10 * lands;
+  ASSERT_EQ(solved.found("c").value.items.size(), 1U);
+  EXPECT_NEAR(solved.found("c").value.items[0].number, lands + slides / 2, 1e-8);
+}
+
 TEST(TimesInSituations, SayWhatIsMissing) {
   EXPECT_EQ(failure_of_text(thrown + "ask: {a: center(ball).y @ 2 s}\n"),
             "test.yaml:10:27: error: in which situation is it 2 s? (write @ 2 s @ one of slow, fast)");

@@ -31,6 +31,20 @@ TEST(LaterBlows, BounceWithTheRestitutionUntilTheyEnd) {
   }
 }
 
+// At the instant of a blow what was just before it is told, whatever way the time of the blow is rounded.
+TEST(LaterBlows, AreNotOverAtTheirInstant) {
+  for (int n = 1; n <= 24; ++n) {
+    const std::string T = std::to_string(n) + "/2 s";
+    const SolvedText solved("title: t\ngiven: {T: " + T + ", T2: T + 1 us" +
+                            "}\npoints: {C: [0, g*T^2/2, 0], O: [0, 0, 0]}\nbodies: {ball: {particle: C, mass: 2 kg}}\n"
+                            "gravity: -y\ncontacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O, "
+                            "restitution: 0.8}}\ninstants: {start: rest}\n"
+                            "ask: {before: velocity(ball).y @ T, after: velocity(ball).y @ T2}\n");
+    EXPECT_NEAR(solved.number("before"), -g * n / 2, 1e-9 * n) << T;
+    EXPECT_NEAR(solved.number("after"), 0.8 * g * n / 2 - g * 1e-6, 1e-9 * n) << T;
+  }
+}
+
 // A pendulum comes back to a stop at its lowest place after half a swing, however weak the blow: the blows never end,
 // but all that is far out lies at the beginning.
 TEST(LaterBlows, OnAPendulumAtItsLowestPlaceNeverEnd) {

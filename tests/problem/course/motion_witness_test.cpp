@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -54,6 +55,17 @@ TEST(MotionWitness, a_velocity_that_moves_no_mass_has_no_rate_to_confirm) {
   };
   EXPECT_LT(window_misfit(open, 0.1, 0.2, {{1}, {1}}).value(), 1e-10);
   EXPECT_FALSE(window_misfit([](double) { return std::optional<WitnessedState>(); }, 0, 1, {{1}, {1}}));
+}
+
+TEST(MotionWitness, looks_that_end_early_are_spread_over_all) {
+  for (const std::size_t count : {5U, 24U, 100U}) {
+    const std::vector<std::size_t> order = spread_order(count);
+    std::vector<bool> seen(count), early(3);
+    for (const std::size_t k : order) seen.at(k) = true;
+    EXPECT_EQ(std::ranges::count(seen, true), static_cast<long>(count));
+    for (std::size_t i = 0; i < 4; ++i) early[3 * order[i] / count] = true;
+    EXPECT_EQ(std::ranges::count(early, true), 3) << count;
+  }
 }
 
 const double turn = 2 * std::numbers::pi;

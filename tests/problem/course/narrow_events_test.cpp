@@ -62,6 +62,64 @@ TEST(NarrowEvents, AQuantityWithACornerComesNearZero) {
   }
 }
 
+// A notch in a number that is flat beside it: the smaller of what changes fast for a moment and what hardly does. The
+// particle goes past x = X at a constant speed, and rises slowly from its own height.
+TEST(NarrowEvents, TheSmallerOfTwoNumbersDipsForAMoment) {
+  std::mt19937_64 random(73);
+  std::uniform_real_distribution<double> part(0, 1), power(2, 7);
+  for (int trial = 0; trial < 12; ++trial) {
+    const double X = 0.3 + 2 * part(random), v = 0.4 + 3 * part(random), near = std::pow(10, -power(random));
+    const std::string condition = fmt::format("min([abs(center(p).x - {:.17g} m), center(p).y]) < {:.17g} m", X, near);
+    const auto solved = [&](const std::string& stages, const std::string& asks) {
+      return SolvedText(
+          fmt::format("title: t\npoints: {{A: [0, 0.02 m, 0]}}\nbodies: {{p: {{particle: A, mass: 2 "
+                      "kg}}}}\ngravity: none\ninstants: {{start: {{velocity(p): [{:.17g} m/s, 0.001 "
+                      "m/s, 0]}}}}\nstages: {{{}}}\nask: {{{}}}\n",
+                      v, stages, asks));
+    };
+    const double there = (X - near) / v;
+    EXPECT_NEAR(solved("run: {lasts: 8 s}", "a: {first_time: '" + condition + "'}").number("a"), there, 1e-9) << near;
+    EXPECT_NEAR(
+        solved("run: {until: '" + condition + "'}, after: {lasts: 1 s}", "a: center(p).x @ run.end").number("a"),
+        X - near, 1e-9)
+        << near;
+  }
+}
+
+// A push that lasts a millionth of the motion: no step is so short, and its impulse is told all the same.
+TEST(NarrowEvents, APushThatLastsForAMoment) {
+  for (const double rate : {1e5, 1e7, 1e8}) {
+    const SolvedText solved(fmt::format(
+        "title: t\npoints: {{O: [0, 0, 0]}}\nbodies: {{p: {{particle: O, mass: 1 kg}}}}\njoints: {{r: {{prismatic: x, "
+        "at: O, to: p, displacement: s}}}}\nloads: {{push: {{force: ['max([0 N, 100 N - abs(time - 2.3 s)*({:.17g} "
+        "N/s)])', 0 N, 0 N], body: p}}}}\ngravity: none\ninstants: {{start: rest}}\nask: {{v: \"s' @ 4 s\"}}\n",
+        rate));
+    EXPECT_NEAR(solved.number("v"), 1e4 / rate, 1e-6 * 1e4 / rate) << rate;
+  }
+}
+
+// In flight, past two places on its way: the first of them that it comes near to.
+TEST(NarrowEvents, TheNearerOfTwoPlacesOnTheWay) {
+  std::mt19937_64 random(74);
+  std::uniform_real_distribution<double> part(0, 1), power(2, 6);
+  for (int trial = 0; trial < 8; ++trial) {
+    const double u = 1 + 3 * part(random), v = 2 + 3 * part(random), near = std::pow(10, -power(random));
+    const auto at = [&](double t) { return std::pair(u * t, v * t - 5 * t * t); };
+    const double first = 0.2 + 0.5 * part(random), last = first + 0.3;
+    const auto [x, y] = at(first);
+    const auto [p, q] = at(last);
+    const std::string text = fmt::format(
+        "title: t\npoints: {{A: [0, 0, 0]}}\nbodies: {{p: {{particle: A, mass: 2 kg}}}}\ngravity: [0, -10 m/s^2, "
+        "0]\ninstants: {{start: {{velocity(p): [{:.17g} m/s, {:.17g} m/s, 0]}}}}\nstages: {{run: {{lasts: 2 s}}}}\n"
+        "ask: {{a: {{first_time: 'min([norm(center(p) - [{:.17g} m, {:.17g} m, 0]), norm(center(p) - [{:.17g} m, "
+        "{:.17g} m, 0])]) < {:.17g} m'}}}}\n",
+        u, v, x, y, p, q, near);
+    // It comes near as it goes with its speed there, but for a part of that way that is as small.
+    const double speed = std::hypot(u, v - 10 * first);
+    EXPECT_NEAR(SolvedText(text).number("a"), first - near / speed, 10 * near * near + 1e-9) << text;
+  }
+}
+
 // What is zero but for rounding has no first time, and no failure of the program either.
 TEST(NarrowEvents, ANumberThatIsRoundingIsNoBracket) {
   const SolvedText solved(

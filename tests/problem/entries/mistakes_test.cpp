@@ -44,6 +44,39 @@ ask: {a: mass(disk)}
 )",
        "test.yaml:3:46: error: unknown key 'diameter' in a disk (did you mean 'radius'?)",
        {}},
+      {"ACordThatRebounds",
+       R"(title: t
+points: {O: [0, 0, 0], A: [0, -0.5 m, 0]}
+bodies: {bob: {particle: A, mass: 1 kg}}
+cords: {c: {from: ground, at: O, to: bob, end: A, length: 1 m, restitution: 0.5}}
+ask: {a: mass(bob)}
+)",
+       "test.yaml:4:64: error: cord 'c' that goes taut does not rebound: it has no restitution (state the jerk by "
+       "itself, impacts: {jerk: {of: bob, at: A, pushes: A->O, restitution: 0.5}})",
+       {}},
+      {"AnInstantFoundFromATimeOn",
+       R"(title: t
+points: {A: [0, 1 m, 0]}
+bodies: {bob: {particle: A, mass: 1 kg}}
+gravity: -y
+instants: {start: rest, late: {first_time: position(bob).y < 0 m, from: 2 s}}
+ask: {a: time @ late}
+)",
+       "test.yaml:5:67: error: an instant that is found by a condition is the first from the start on (ask for another "
+       "time by itself, {first_time: turn' == 0, from: 2 s})",
+       {}},
+      {"TwoParticlesThatMeet",
+       R"(title: t
+points: {A: [0, 0, 0], B: [1 m, 0, 0]}
+bodies: {one: {particle: A, mass: 1 kg}, two: {particle: B, mass: 1 kg}}
+contacts: {hit: {of: two, against: one, at: B, surface: A, normal: x, open: true, restitution: 0.5}}
+gravity: none
+instants: {start: {velocity(one): [1 m/s, 0, 0], velocity(two): [0, 0, 0]}}
+ask: {a: velocity(two).x @ 2 s}
+)",
+       "test.yaml:4:12: error: 'one' is a particle, which has no surface that 'two' could touch (two particles do not "
+       "meet: give 'one' a shape, such as a box or a sphere)",
+       {}},
       {"SidesByTheirLengths",
        R"(title: t
 points: {O: [0, 0, 0]}
@@ -793,6 +826,16 @@ joints: {shaft: {revolute: y, at: Q, to: disk, rate: 2 rad/s}}
 ask: {a: angular_momentum(disk about O)}
 )",
        "test.yaml:4:35: error: 'Q' is not defined (define it under given:, letters:, points: or directions:)",
+       {}},
+      {"MisspeltUnitOfAProduct",
+       R"(title: t
+given: {m: 5 kg*mmm}
+bodies: {b: {particle: [0, 0, 0], mass: m}}
+ask: {v: velocity(b)}
+)",
+       "test.yaml:2:17: error: 'mmm' is not defined (if a unit is meant, write 'mm'; if a datum, define it under "
+       "given: "
+       "or letters:)",
        {}},
       {"MisspeltDatum",
        R"(given: {radius: 0.2 m}

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/answers/solve_statement.h"
@@ -45,6 +46,31 @@ TEST(SolveUnknowns, Angles) {
   // A factor that vanishes elsewhere only: the pendulum that hangs.
   const auto swung = solve_unknowns({sin(x) * (b * cos(x) - a)}, {{"x", true, -third}});
   EXPECT_NEAR(value_at(swung.at("x"), {{"a", 2}, {"b", 3}}), -third, 1e-14);
+}
+
+// Where moments and products of inertia meet, the angle enters by its double.
+TEST(SolveUnknowns, AnglesByTheirDouble) {
+  const Formula a = letter("a"), b = letter("b"), x = unknown("x");
+  const auto expect_angles = [&](const Formula& f, double first, double second) {
+    // Of 2x there are two in a turn, of x four.
+    for (const double one : {first, second})
+      for (const double root : {one, one > 0 ? one - std::numbers::pi : one + std::numbers::pi}) {
+        const PlainPointScope point({{"a", 2}, {"b", 3}, {"x", root}});
+        const auto found = solve_unknowns({f}, {{"x", true, root}});
+        EXPECT_NEAR(value_at(found.at("x"), {{"a", 2}, {"b", 3}}), root, 1e-14) << text(found.at("x"));
+      }
+  };
+  const Formula s = sin(x), c = cos(x);
+  const double slant = std::asin(2.0 / 3) / 2, principal = std::atan2(-4, 3) / 2;
+  expect_angles(Formula(2) * b * s * c - a, slant, std::numbers::pi / 2 - slant);
+  expect_angles(a * (c * c - s * s) + b * s * c, principal, principal + std::numbers::pi / 2);
+  expect_angles(b * (c * c - s * s) - a, std::acos(2.0 / 3) / 2, -std::acos(2.0 / 3) / 2);
+  // 2 sin 2x + 3 cos 2x = 3/2
+  const double lead = std::atan2(2, 3), way = std::acos(1.5 / std::sqrt(13));
+  expect_angles(Formula(2) * a * s * c + b * (c * c - s * s) - b / Formula(2), (lead + way) / 2, (lead - way) / 2);
+  // Where sin 2x alone is given, so is the formula.
+  const PlainPointScope point({{"a", 2}, {"b", 3}, {"x", slant}});
+  EXPECT_EQ(text(solve_unknowns({Formula(2) * b * s * c - a}, {{"x", true, slant}}).at("x")), "asin(a/b)/2");
 }
 
 TEST(SolveUnknowns, SeveralOneByOne) {

@@ -41,5 +41,31 @@ TEST(PartingBlows, ABallRollsAtOnceWhereTheTableNeedNotHelp) {
   }
 }
 
+// A bar on two supports, or on two cords, of which one is lifted: just after the blow that one carries nothing, and the
+// bar swings about the other, 3 g/(2 L). At the instant itself, where both are still in the equations, nothing is told.
+TEST(PartingBlows, WhatGaveWayCarriesNothingAfterIt) {
+  for (const char* held : {"contacts: {a: {of: bar, corner: A, normal: y}, b: {of: bar, corner: B, normal: y}}\n",
+                           "cords: {a: {holds: bar, at: A, pulls: y}, b: {holds: bar, at: B, pulls: y}}\n"}) {
+    const bool cords = std::string(held).starts_with("cords");
+    const std::string force = cords ? "tension" : "normal_force";
+    const SolvedText solved(
+        "title: t\ngiven: {L: 1 m}\npoints: {A: [0, 0, 0], B: [L, 0, 0]}\nbodies: {bar: {rod: [A, B], mass: 2 kg}}\n" +
+        std::string(held) +
+        "impulses: {blow: {body: bar, at: B, value: [0, 3 N*s, 0]}}\ninstants: {before: rest}\ngravity: -y\n"
+        "ask: {v: velocity(B of bar).y, a: angular_acceleration(bar).z, at_once: angular_acceleration(bar).z @ 0 s, "
+        "N: " +
+        force + "(a) @ 0 s, M: " + force + "(b) @ 0 s, B: " + force + "(b) @ before}\n");
+    EXPECT_NEAR(solved.number("v"), 4.5, 1e-12);
+    EXPECT_NEAR(solved.number("at_once"), -1.5 * 9.80665, 1e-9);
+    EXPECT_NEAR(solved.number("N"), 9.80665 / 2, 1e-9);
+    EXPECT_NEAR(solved.number("M"), 0, 1e-9);
+    EXPECT_NEAR(solved.number("B"), 9.80665, 1e-9);
+    const SolvedAsk& after = solved.ask("a");
+    EXPECT_EQ(after.state, AskState::undetermined);
+    EXPECT_NE(after.reason.find("@ 0 s"), std::string::npos) << after.reason;
+    EXPECT_NE(after.reason.find("'b' gives way in the blow"), std::string::npos) << after.reason;
+  }
+}
+
 }  // namespace parting_blows_test
 }  // namespace poinsot::problem

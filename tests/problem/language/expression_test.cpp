@@ -121,6 +121,13 @@ TEST(Expression, UnitsEndWhereTheyShould) {
       {"2 m/2", "(2 m/2)"},
       {"2 m * r", "(2 m*r)"},
       {"2 m+r", "(2 m+r)"},
+      {"2 m*r", "(2 m*r)"},
+      {"2 m-r", "(2 m-r)"},
+      {"40 mm*cos(b)", "(40 mm*cos{:b})"},
+      {"9.81 m/s^2/L", "(9.81 m/s^2/L)"},
+      {"2 kg*m*r^2", "(2 kg*m*(r^2))"},
+      {"2 m*s'/2", "((2 m*s')/2)"},
+      {"1/2 m/r", "(1/2 m/r)"},
       {"2 m - s", "(2 m-s)"},
       {"[1 m, 2 ft]", "[1 m;2 ft;]"},
       {"1/2", "(1/2)"},
@@ -239,8 +246,10 @@ TEST(Expression, WrongUnits) {
       {"2 m*d",
        "f:1:5: error: 'd' is not how the unit is written (write 'm*day', or, if it is a name, put blanks around the "
        "'*')"},
-      {"2 m*r", "f:1:5: error: 'r' is not a unit (if it is a name, put blanks around the '*')"},
       {"2 m2", "f:1:3: error: 'm2' is not a unit (write 'm^2')"},
+      {"1 1/j",
+       "f:1:3: error: two numbers stand side by side (a mixed number is written as a decimal or as one fraction: 1.5 "
+       "or 3/2)"},
       {"2 kg.m2", "f:1:5: error: '.' does not belong into a unit (write 'kg*m^2')"},
       {"2 m**2", "f:1:5: error: a unit is missing before '*' (write 'm^2')"},
       {"2 m/s\xc2\xb2", "f:1:6: error: '\xc2\xb2' does not belong into a unit (write 'm/s^2')"},
@@ -249,10 +258,6 @@ TEST(Expression, WrongUnits) {
        "f:1:5: error: it is not clear whether '-' belongs to the unit 'ft-lb' or subtracts (write 'ft*lb' for the "
        "unit; to "
        "subtract, put blanks around the '-')"},
-      {"2 m-r",
-       "f:1:4: error: it is not clear whether '-' belongs to the unit 'm-r' or subtracts (to subtract, put blanks "
-       "around the "
-       "'-')"},
       {"1 kg/(m*s)",
        "f:1:6: error: a unit has no parentheses (kg/(m*s) is written kg/m/s; if 'm*s' is a name, put blanks around the "
        "'/')"},

@@ -193,5 +193,16 @@ TEST(PlanarStatement, ResponsesOfVectorsHaveTwoComponents) {
   EXPECT_EQ(cart.columns[1].unit.text, "deg");
 }
 
+TEST(PlanarStatement, ListsOfTwoAreVectorsInFacts) {
+  const std::string text =
+      "title: t\nplane: [x, y]\ngiven: {b: 0.5 rad, v: 2 m/s}\npoints: {A: [0, 0]}\n"
+      "bodies: {puck: {particle: A, mass: 2 kg}}\nloads: {push: {force: '(3 N)*[cos(b), sin(b)]', body: puck}}\n"
+      "gravity: none\ninstants: {start: {velocity(puck): 'v*[cos(b), sin(b)]'}}\n"
+      "ask:\n  x: velocity(puck).x\n  y: velocity(puck).y\n";
+  const std::map<std::string, SolvedAsk> found = answers(text);
+  EXPECT_NEAR(found.at("x").value.number, 2 * std::cos(0.5), 1e-12);
+  EXPECT_NEAR(found.at("y").value.number, 2 * std::sin(0.5), 1e-12);
+}
+
 }  // namespace planar_statement_test
 }  // namespace poinsot::problem

@@ -127,5 +127,78 @@ TEST(RootsCheck, IsNamedAmongTheChecks) {
   EXPECT_LT(solution.solutions[0].checks.at("roots"), 1e-9);
 }
 
+// A momentum that is to vanish while the rate is stated: the coefficient of the rate vanishes at the root, and beside
+// it the two facts contradict one another, however near it is.
+TEST(VanishingMomenta, TheRootIsFoundAlthoughFactsClashBesideIt) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> draw(0.5, 5);
+  const auto drawn = [&] { return std::round(1e3 * draw(random)) / 1e3; };
+  for (int trial = 0; trial < 40; ++trial) {
+    const double m = drawn(), M = drawn(), a = drawn() * std::pow(10, trial % 3), n = drawn();
+    const auto text = [](double x) { return std::to_string(x); };
+    const SolvedStatement pair = solved("find: {s: m}\npoints: {O: [0, 0, 0], P: [0, " + text(a) +
+                                        " m, 0], Q: [0, -s, 0]}\nbodies: {r: {parts: {p: "
+                                        "{particle: P, mass: " +
+                                        text(m) + " kg}, q: {particle: Q, mass: " + text(M) +
+                                        " kg}}}}\njoints: {j: {revolute: "
+                                        "z, at: O, to: r, rate: " +
+                                        text(n) +
+                                        " rad/s, accel: 0}}\ngravity: none\ninstants: {now: {momentum(r): [0, 0, "
+                                        "0]}}\nask: {s: s}\n");
+    ASSERT_EQ(pair.solutions.size(), 1u) << trial << warnings_of(pair);
+    EXPECT_NEAR(pair.solutions[0].asks[0].value.number, m * a / M, 1e-9 * m * a / M);
+  }
+}
+
+std::string turned_plate(double A, double B, double P) {
+  return "find: {d: rad}\nwhere: [-90 deg < d < 90 deg]\npoints: {O: [0, 0, 0]}\ndirections: {u: '[cos(d), sin(d), "
+         "0]', "
+         "v: '[-sin(d), cos(d), 0]'}\nbodies: {b: {mass: 2 kg, center: O, inertia: {x: " +
+         std::to_string(A) + " kg*m^2, y: " + std::to_string(B) + " kg*m^2, z: " + std::to_string(A + B) +
+         " kg*m^2, xy: " + std::to_string(P) +
+         " kg*m^2, yz: 0, zx: 0}}}\njoints: {s: {revolute: u, at: O, to: b, rate: 10 rad/s, accel: 0}}\n"
+         "gravity: none\ninstants: {now: {'component(angular_momentum(b about O) along v)': 0}}\nask: {d: d}\n";
+}
+
+// A shaft along a principal axis of a plate: tan 2d = 2 P/(B - A). Of a plate whose axes are all alike any will do.
+TEST(VanishingMomenta, PrincipalAxesAreFound) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> moment(1, 5), product(-0.9, 0.9);
+  const auto rounded = [](double x) { return std::round(1e3 * x) / 1e3; };
+  for (int trial = 0; trial < 20; ++trial) {
+    const double A = rounded(moment(random)), B = rounded(moment(random)), P = rounded(product(random));
+    const SolvedStatement found = solved(turned_plate(A, B, P));
+    ASSERT_EQ(found.solutions.size(), 2u) << A << " " << B << " " << P << warnings_of(found);
+    for (const Solution& solution : found.solutions) {
+      const double d = solution.asks[0].value.number;
+      EXPECT_NEAR((A - B) * std::sin(2 * d) + 2 * P * std::cos(2 * d), 0, 1e-9);
+    }
+  }
+  const SolvedStatement alike = solved(turned_plate(3, 3, 0));
+  ASSERT_EQ(alike.solutions.size(), 1u) << warnings_of(alike);
+  EXPECT_EQ(alike.solutions[0].asks[0].state, AskState::undetermined);
+}
+
+// Lists are stated as lists: the leg at which a bent wire has no product of inertia.
+TEST(ListsOfFacts, OneElementOfAListIsAFact) {
+  const auto wire = [](const std::string& fact) {
+    return "find: {b: m}\nwhere: [b > 0]\npoints: {O: [0, 0, 0], A: [0.3 m, 0, 0], B: [0.3 m, b, 0], D: [0.6 m, b, 0], "
+           "E: "
+           "[0.6 m, -0.3 m, 0]}\nbodies: {w: {wire: [O, A, B, D, E], density: 2 kg/m}}\ninstants: {now: {" +
+           fact + "}}\nask: {b: b}\n";
+  };
+  const auto root = [&](const std::string& fact) {
+    const SolvedStatement solution = solved(wire(fact));
+    EXPECT_EQ(solution.solutions.size(), 1u) << fact << warnings_of(solution);
+    return solution.solutions.at(0).asks[0].value.number;
+  };
+  // The products of its legs: 0.3 b^2/2 + 0.45*0.3 b + 0.6 (b^2 - 0.09)/2 = 0.
+  const double expected = (-0.135 + std::sqrt(0.135 * 0.135 + 4 * 0.45 * 0.027)) / 0.9;
+  EXPECT_NEAR(root("'products_of_inertia(w about O)': [0, any, any]"), expected, 1e-9);
+  EXPECT_NEAR(root("'products_of_inertia(w about O)[1]': 0"), expected, 1e-9);
+  for (const char* wrong : {"'products_of_inertia(w about O)': [0, any]", "'products_of_inertia(w about O)': 0"})
+    EXPECT_THROW(solved(wire(wrong)), StatementError) << wrong;
+}
+
 }  // namespace lost_roots_test
 }  // namespace poinsot::problem

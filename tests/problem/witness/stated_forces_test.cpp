@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -170,6 +172,30 @@ ask: {v: velocity(grain) @ 3 s, a: acceleration(grain) @ second.start}
   EXPECT_NEAR(solved.vector("v").x, 3 * std::exp(-1), 1e-9);
   EXPECT_NEAR(solved.vector("a").x, -1.5, 1e-12);
   EXPECT_LT(solved.solved().solutions.at(0).checks.at("laws"), 1e-9);
+}
+
+// A motor on the first of two axes that are not perpendicular: its couple has no part about the second, whatever pose,
+// and a motor that passed on what it does not drive is seen.
+TEST(StatedForces, MotorsInObliqueGimbalsTurnNothingAboutTheOther) {
+  const Statement statement = read_statement(
+      "title: t\npoints: {O: [0, 0, 0], G: [0.1 m, 0.2 m, 0]}\ndirections: {n: [cos(50 deg), sin(50 deg), 0]}\nbodies: "
+      "{block: {sphere: {center: G, radius: 0.1 m}, mass: 3 kg}}\njoints: {hooke: {universal: [x, n], at: O, to: "
+      "block, "
+      "freedoms: {first: {couple: 2 N*m, angle: 0.4 rad, rate: 0}, second: {angle: 0.3 rad, rate: 0}}}}\ngravity: "
+      "none\nask: {a: angular_acceleration(block)}\n",
+      "test.yaml");
+  const Situation& situation = statement.situations.front();
+  const Settings none;
+  SolvedInstant instant(situation, none, When{}, OpenChoice{});
+  DataScope<double> data(situation, none);
+  const std::map<std::string, StatedForce> forces = forces_of(instant, data);
+  const auto motor = std::ranges::find_if(forces, [](const auto& one) { return one.second.only_about.has_value(); });
+  ASSERT_NE(motor, forces.end());
+  ASSERT_EQ(motor->second.none_about.size(), 1U);
+  // The second axis is turned about the first by 0.4.
+  const double c = std::cos(50 * std::numbers::pi / 180), s = std::sin(50 * std::numbers::pi / 180);
+  const Vector expected{c, s * std::cos(0.4), s * std::sin(0.4)};
+  expect_near(motor->second.none_about.front(), expected, "second axis");
 }
 
 }  // namespace stated_forces_test

@@ -65,12 +65,17 @@ function arrowControls(scene: Scene, stage: Stage): Child {
   const names = check("names", true, (on) => {
     stage.showNames(on);
   });
+  const ride = stage.goesFar
+    ? check("go with the bodies", true, (on) => {
+        stage.ride(on);
+      })
+    : null;
   const withArrows = scene.diagrams
     .map((diagram, i) => ({ diagram, i }))
     .filter(({ diagram }) => diagram.arrows.length > 0);
   if (withArrows.length === 0) {
     refresh();
-    return element("div", { class: "controls" }, toggles, names);
+    return element("div", { class: "controls" }, toggles, names, ride);
   }
   const select = element(
     "select",
@@ -89,7 +94,7 @@ function arrowControls(scene: Scene, stage: Stage): Child {
     refresh();
   });
   refresh();
-  return element("div", { class: "controls" }, element("label", {}, "Arrows: ", select), toggles, names);
+  return element("div", { class: "controls" }, element("label", {}, "Arrows: ", select), toggles, names, ride);
 }
 
 // The values behind the arrows, to be read without pointing.

@@ -7,6 +7,7 @@ const steepest = Math.PI / 2 - 1e-4;
 export class Viewpoint {
   readonly camera = new OrthographicCamera();
   private readonly target = new Vector3();
+  private readonly ridden = new Vector3(); // how far what is looked at has gone since the instant of the statement
   private radius = 1; // half of what is seen
   private home: { target: Vector3; radius: number } = { target: new Vector3(), radius: 1 };
   private readonly pointers = new Map<number, { x: number; y: number }>();
@@ -34,6 +35,13 @@ export class Viewpoint {
   fit(center: Vector3, radius: number): void {
     this.home = { target: center.clone(), radius };
     this.goHome();
+  }
+
+  // Goes with what is looked at.
+  ride(way: Vector3): void {
+    if (this.ridden.equals(way)) return;
+    this.ridden.copy(way);
+    this.update();
   }
 
   goHome(): void {
@@ -76,7 +84,8 @@ export class Viewpoint {
       .addScaledVector(this.up, Math.sin(this.height));
     const away = 10 * Math.max(this.radius, this.home.radius);
     const { camera } = this;
-    camera.position.copy(this.target).addScaledVector(direction, away);
+    const target = this.target.clone().add(this.ridden);
+    camera.position.copy(target).addScaledVector(direction, away);
     const half = this.aspect >= 1 ? this.radius : this.radius / this.aspect;
     camera.left = -half * this.aspect;
     camera.right = half * this.aspect;
@@ -84,7 +93,7 @@ export class Viewpoint {
     camera.bottom = -half;
     camera.near = 0;
     camera.far = 2 * away;
-    camera.lookAt(this.target);
+    camera.lookAt(target);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
     this.changed();

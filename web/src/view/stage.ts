@@ -55,6 +55,8 @@ export class Stage {
   private readonly size: number;
   private time: number | null = null; // null: the instant of the statement
   private waiting = false;
+  private home: Vector3[] = []; // where the bodies stand at that instant
+  private riding = false;
   readonly shown: Shown = { diagram: -1, quantities: new Set(), names: true };
 
   constructor(
@@ -186,10 +188,33 @@ export class Stage {
     });
   }
 
+  goesFar = false; // whether the bodies go together so far that they would be small beside their way
+
+  // How far the bodies have gone on the average.
+  private way(): Vector3 {
+    const sum = new Vector3();
+    let count = 0;
+    this.bodies.forEach((node, i) => {
+      const home = this.home[i];
+      if (!home || this.scene.bodies[i]?.frame) return;
+      sum.add(node.position).sub(home);
+      ++count;
+    });
+    return sum.divideScalar(Math.max(1, count));
+  }
+
+  // Whether the view goes with the bodies.
+  ride(on: boolean): void {
+    this.riding = on;
+    this.viewpoint.ride(on && this.time !== null ? this.way() : new Vector3());
+    this.ask();
+  }
+
   // Everything that is seen at any time, but no farther away than three sizes of the scene.
   private fit(): void {
     const box = new Box3();
     const home = new Box3();
+    this.home = this.bodies.map((node) => node.position.clone());
     for (const node of this.bodies) home.expandByObject(node, true);
     for (const point of this.scene.points) home.expandByPoint(this.whereIs(point.place));
     for (const link of this.scene.links) {
@@ -213,11 +238,23 @@ export class Stage {
     if (motion) {
       const far = home.clone().expandByScalar(3 * this.size);
       const stride = Math.max(1, Math.floor(motion.times.length / 60));
+      const whole = home.clone();
+      const along = home.clone();
       for (let i = 0; i < motion.times.length; i += stride) {
         this.setPoses(motion.times[i] ?? 0);
-        for (const node of this.bodies) box.union(new Box3().setFromObject(node).intersect(far));
+        const back = this.way().negate();
+        for (const node of this.bodies) {
+          const own = new Box3().setFromObject(node);
+          whole.union(own);
+          along.union(own.clone().translate(back));
+          box.union(own.intersect(far));
+        }
       }
       this.setPoses(null);
+      const part = along.getBoundingSphere(new Sphere()).radius / whole.getBoundingSphere(new Sphere()).radius;
+      this.goesFar = part < 0.5;
+      this.riding = this.goesFar;
+      if (this.riding) box.copy(along);
     }
     const sphere = box.getBoundingSphere(new Sphere());
     this.viewpoint.fit(sphere.center, Math.max(sphere.radius * 1.08, 0.62 * this.size));
@@ -329,6 +366,7 @@ export class Stage {
   setTime(time: number | null): void {
     this.setPoses(time);
     this.arrows.visible = time === null;
+    if (this.goesFar) this.ride(this.riding);
     this.moving.setTime(time, (place) => this.whereIs(place));
     this.ask();
   }

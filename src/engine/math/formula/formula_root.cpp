@@ -8,9 +8,13 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "engine/math/formula/formula_digits.h"
 #include "engine/math/formula/formula_fraction.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
+#include "poinsot/engine/math/formula/formula_sizes.h"
 #include "poinsot/engine/math/formula/formula_text.h"
 
 namespace poinsot {
@@ -82,7 +86,15 @@ Formula noting_letters(Formula x, const Generators& generators, const Polynomial
   return x;
 }
 
-Formula sign_formula(const Formula& polynomial) { return generator_formula(sign_generator(polynomial)); }
+thread_local bool sizes_are_decided = false;
+
+Formula sign_formula(const Formula& polynomial) {
+  if (sizes_are_decided) {
+    note_sign(polynomial);
+    return positive_sign(polynomial);
+  }
+  return generator_formula(sign_generator(polynomial));
+}
 
 // |p|
 Formula size_of(const Generators& generators, const Polynomial& p) {
@@ -96,48 +108,102 @@ Formula root_of_irreducible(const Formula& radicand, bool dependent = false) {
   return generator_formula(root_generator(radicand, dependent));
 }
 
-class IntegerFactors {
+// The powers that make up a positive integer: of primes, as far as these are found without a sieve. That of FLINT keeps
+// its relations in a file in the folder in which the program is called, under a name that threads share: it fails where
+// nothing may be written, and where two need it at once.
+class IntegerPowers {
  public:
-  IntegerFactors() { fmpz_factor_init(factors_); }
-  IntegerFactors(const IntegerFactors&) = delete;
-  IntegerFactors& operator=(const IntegerFactors&) = delete;
-  ~IntegerFactors() { fmpz_factor_clear(factors_); }
+  explicit IntegerPowers(const Integer& number) {
+    fmpz_factor_init(factors_);
+    flint_randinit(state_);
+    // What fits into a word is factored in it.
+    if (fits_word(number)) {
+      take_word(number, 1);
+      return;
+    }
+    constexpr slong small_primes = 3000;
+    fmpz_factor_trial_range(factors_, number.get(), 0, small_primes);
+    Integer rest(number);
+    for (slong i = 0; i < factors_->num; ++i) {
+      Integer power;
+      fmpz_pow_ui(power.get(), factors_->p + i, factors_->exp[i]);
+      fmpz_divexact(rest.get(), rest.get(), power.get());
+      add(copy_of(factors_->p + i), factors_->exp[i]);
+    }
+    split(rest, 1);
+  }
+  IntegerPowers(const IntegerPowers&) = delete;
+  IntegerPowers& operator=(const IntegerPowers&) = delete;
+  ~IntegerPowers() {
+    fmpz_factor_clear(factors_);
+    flint_randclear(state_);
+  }
 
-  fmpz_factor_struct* get() { return factors_; }
+  const std::vector<std::pair<Integer, ulong>>& powers() const { return powers_; }
 
  private:
+  static Integer copy_of(const fmpz* number) {
+    Integer copy;
+    fmpz_set(copy.get(), number);
+    return copy;
+  }
+  static bool fits_word(const Integer& number) { return fmpz_bits(number.get()) <= FLINT_BITS - 2; }
+
+  void add(const Integer& base, ulong exponent) {
+    for (auto& [known, count] : powers_)
+      if (fmpz_equal(known.get(), base.get()) != 0) {
+        count += exponent;
+        return;
+      }
+    powers_.emplace_back(base, exponent);
+  }
+
+  void take_word(const Integer& number, ulong exponent) {
+    fmpz_factor_t own;
+    fmpz_factor_init(own);
+    fmpz_factor(own, number.get());
+    for (slong i = 0; i < own->num; ++i) add(copy_of(own->p + i), exponent * own->exp[i]);
+    fmpz_factor_clear(own);
+  }
+
+  // Splits by squares and by Pollard's method with Brent's cycles, which finds factors of some nine digits. What is
+  // left counts as one.
+  void split(const Integer& number, ulong exponent) {
+    if (fmpz_is_one(number.get())) return;
+    if (fits_word(number)) return take_word(number, exponent);
+    if (fmpz_is_square(number.get()) != 0) {
+      Integer root;
+      fmpz_sqrt(root.get(), number.get());
+      return split(root, 2 * exponent);
+    }
+    constexpr ulong tries = 3, steps = 1UL << 15;
+    Integer factor, whole(number);
+    if (fmpz_is_probabprime(number.get()) == 0 &&
+        fmpz_factor_pollard_brent(factor.get(), state_, whole.get(), tries, steps) != 0 &&
+        fmpz_cmp(factor.get(), number.get()) < 0 && fmpz_cmp_si(factor.get(), 1) > 0 &&
+        fmpz_divisible(number.get(), factor.get()) != 0) {
+      Integer other;
+      fmpz_divexact(other.get(), number.get(), factor.get());
+      split(factor, exponent);
+      split(other, exponent);
+      return;
+    }
+    add(number, exponent);
+  }
+
   fmpz_factor_t factors_;
+  flint_rand_t state_;
+  std::vector<std::pair<Integer, ulong>> powers_;
 };
 
 // The root of a positive integer.
 Formula root_of_integer(const Integer& number) {
   Formula root(1);
-  IntegerFactors held;
-  fmpz_factor_struct* const factors = held.get();
-  // Large numbers are only freed of small factors: beyond this size finding all may take long.
-  constexpr int certain_bits = 128;
-  if (fmpz_bits(number.get()) <= certain_bits) {
-    fmpz_factor(factors, number.get());
-  } else {
-    fmpz_factor_trial_range(factors, number.get(), 0, 3000);
-    Integer rest(number);
-    for (slong i = 0; i < factors->num; ++i) {
-      Integer power;
-      fmpz_pow_ui(power.get(), factors->p + i, factors->exp[i]);
-      fmpz_divexact(rest.get(), rest.get(), power.get());
-    }
-    if (!fmpz_is_one(rest.get())) {
-      const bool square = fmpz_is_square(rest.get()) != 0;
-      if (square) fmpz_sqrt(rest.get(), rest.get());
-      _fmpz_factor_append(factors, rest.get(), square ? 2 : 1);
-    }
-  }
-  for (slong i = 0; i < factors->num; ++i) {
-    Integer prime;
-    fmpz_set(prime.get(), factors->p + i);
+  const IntegerPowers found(number);
+  for (const auto& [prime, exponent] : found.powers()) {
     const Formula base = integer_formula(prime);
-    root *= pow(base, static_cast<int>(factors->exp[i] / 2));
-    if (factors->exp[i] % 2 != 0) root *= root_of_irreducible(base);
+    root *= pow(base, static_cast<int>(exponent / 2));
+    if (exponent % 2 != 0) root *= root_of_irreducible(base);
   }
   return root;
 }
@@ -243,6 +309,11 @@ int sign_of(const Formula& x) {
 }
 
 }  // namespace symbolic
+
+DecidedSizesScope::DecidedSizesScope(bool decided) : outer_(symbolic::sizes_are_decided) {
+  symbolic::sizes_are_decided = outer_ || decided;
+}
+DecidedSizesScope::~DecidedSizesScope() { symbolic::sizes_are_decided = outer_; }
 
 Formula sqrt(const Formula& x) {
   using namespace symbolic;

@@ -101,6 +101,9 @@ SeenSign sign_of_factor(const Generators& generators, const Polynomial& p, const
       const std::vector<Polynomial> c = p.coefficients_by(v);
       SeenSign seen;
       if (c.size() == 3) seen = sign_of_square(generators, c, effort.after_split());
+      // The same in x^2, as 3 cos(b)^2 + 1 is in the tangent of b/2.
+      if (c.size() == 5 && c[1].is_zero() && c[3].is_zero())
+        seen = sign_of_square(generators, {c[0], c[2], c[4]}, effort.after_split());
       if (seen.sign == 0) seen = sign_by_coefficients(generators, c, generators[v]->positive, effort.after_split());
       if (seen.sign != 0) return seen;
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -83,6 +84,55 @@ std::optional<std::string> in_degrees(const Form& angle) {
   return std::to_string(tenths / 10) + rest + "^{\\circ}";
 }
 
+// What decimals of the data leave of a coefficient, as they are read: 981/100 is 9.81, 2943/200 is 14.715. Shapes leave
+// no such denominators: 3/80 and 83/320 have one factor of five.
+std::optional<std::string> decimal(const Form& above, const Form& below) {
+  constexpr std::size_t most_digits = 6;
+  if (below.kind != Form::Kind::number || above.kind != Form::Kind::number || above.text.size() > most_digits ||
+      below.text.size() > most_digits)
+    return std::nullopt;
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  if (!std::ranges::all_of(above.text + below.text, is_digit)) return std::nullopt;
+  long numerator = std::stol(above.text), denominator = std::stol(below.text);
+  if (denominator % 25 != 0) return std::nullopt;
+  std::size_t places = 0;
+  for (; denominator > 1 && places < most_digits; ++places) {
+    numerator *= 10;
+    const long common = std::gcd(numerator, denominator);
+    numerator /= common;
+    denominator /= common;
+  }
+  std::string digits = std::to_string(numerator);
+  if (denominator > 1 || digits.size() > most_digits) return std::nullopt;
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - places, ".");
+}
+
+// The same with the rest of the quotient.
+std::optional<Form> with_decimal(const Form& quotient) {
+  const auto first = [](const Form& form) { return form.kind == Form::Kind::product ? form.parts[0] : form; };
+  const auto rest = [](const Form& form) {
+    return form.kind == Form::Kind::product ? std::vector<Form>(form.parts.begin() + 1, form.parts.end())
+                                            : std::vector<Form>{};
+  };
+  const auto product = [](std::vector<Form> parts) {
+    return parts.size() == 1 ? parts[0] : Form{Form::Kind::product, "", std::move(parts)};
+  };
+  const Form& above = quotient.parts[0];
+  const bool numbered = first(above).kind == Form::Kind::number;
+  const std::optional<std::string> digits =
+      decimal(numbered ? first(above) : Form{Form::Kind::number, "1", {}}, first(quotient.parts[1]));
+  if (!digits) return std::nullopt;
+  std::vector<Form> top{{Form::Kind::number, *digits, {}}};
+  const std::vector<Form> others = numbered                            ? rest(above)
+                                   : above.kind == Form::Kind::product ? above.parts
+                                                                       : std::vector{above};
+  top.insert(top.end(), others.begin(), others.end());
+  const std::vector<Form> bottom = rest(quotient.parts[1]);
+  if (bottom.empty()) return product(std::move(top));
+  return Form{Form::Kind::quotient, "", {product(std::move(top)), product(bottom)}};
+}
+
 std::string tex_call(const Form& form, const std::string& exponent) {
   if (form.text == "exp") return "\\mathrm{e}^{" + tex_of(form.parts[0]) + "}";
   if (form.text == "sqrt") {
@@ -130,6 +180,7 @@ std::string tex_of(const Form& form) {
       return product;
     }
     case Form::Kind::quotient:
+      if (const std::optional<Form> plain = with_decimal(form)) return tex_of(*plain);
       return "\\frac{" + tex_of(form.parts[0]) + "}{" + tex_of(form.parts[1]) + "}";
     case Form::Kind::power: {
       const Form& base = form.parts[0];

@@ -219,8 +219,58 @@ class Finder {
   std::vector<Zero> zeros_;
 };
 
+// The only extreme between two times: where the slope by differences of sixth order vanishes, or if that has one sign
+// there, by the values.
+double extreme_between(const std::function<double(double t)>& value, double a, double b) {
+  constexpr double reach = 0.02;  // of the bracket
+  const double h = reach * (b - a);
+  const auto slope = [&](double t) {
+    return 45 * (value(t + h) - value(t - h)) - 9 * (value(t + 2 * h) - value(t - 2 * h)) +
+           (value(t + 3 * h) - value(t - 3 * h));
+  };
+  const double low = a + 3 * h, high = b - 3 * h, at_low = slope(low), at_high = slope(high);
+  boost::uintmax_t evaluations = 60;
+  if ((at_low < 0) != (at_high < 0)) {
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        slope, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(50), evaluations);
+    return 0.5 * (left + right);
+  }
+  const double sense = value(0.5 * (a + b)) > 0.5 * (value(a) + value(b)) ? -1 : 1;
+  return boost::math::tools::brent_find_minima([&](double t) { return sense * value(t); }, a, b, 50, evaluations).first;
+}
+
 }  // namespace
 
 std::vector<Zero> find_zeros(const ZeroSearch& search) { return Finder(search).run(); }
+
+std::vector<double> corners_between(const std::function<double(double t)>& value, bool turns,
+                                    const std::vector<double>& looks) {
+  std::vector<double> seen, found;
+  double largest = 0.0;
+  for (const double look : looks) {
+    seen.push_back(value(look));
+    largest = std::max(largest, std::fabs(seen.back()));
+  }
+  // Of the largest value: what changes by less from look to look, at rest or at a constant value, is rounding.
+  constexpr double changes = 1e-12;
+  for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+    if (!turns && seen[i] * seen[i + 1] < 0) {
+      double a = looks[i], b = looks[i + 1], at_a = seen[i], at_b = seen[i + 1];
+      if (a > b) {
+        std::swap(a, b);
+        std::swap(at_a, at_b);
+      }
+      boost::uintmax_t evaluations = 60;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          value, a, b, at_a, at_b, boost::math::tools::eps_tolerance<double>(52), evaluations);
+      found.push_back(0.5 * (low + high));
+    }
+    if (turns && i > 0 && (seen[i] - seen[i - 1]) * (seen[i + 1] - seen[i]) < 0 &&
+        std::max(std::fabs(seen[i] - seen[i - 1]), std::fabs(seen[i + 1] - seen[i])) > changes * largest)
+      found.push_back(
+          extreme_between(value, std::min(looks[i - 1], looks[i + 1]), std::max(looks[i - 1], looks[i + 1])));
+  }
+  return found;
+}
 
 }  // namespace poinsot

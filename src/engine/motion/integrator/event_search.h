@@ -32,4 +32,9 @@ struct ZeroSearch {
 // The zeros in (start, end] in the order of time's run.
 std::vector<Zero> find_zeros(const ZeroSearch& search);
 
+// Where a number that is smooth is zero, or has an extreme if `turns`, between the first and the last of times at which
+// it is looked at: these, in the order of time's run, resolve how it changes.
+std::vector<double> corners_between(const std::function<double(double t)>& value, bool turns,
+                                    const std::vector<double>& looks);
+
 }  // namespace poinsot

@@ -81,6 +81,37 @@ void IntegrationRun::note_drift(double t, std::span<const double> y) {
   }
 }
 
+// The ends of the parts of a step in which an event's value has no corner.
+std::vector<double> IntegrationRun::smooth_parts(const Event& event, const StepView& step) {
+  std::vector<double> ends{step.start, step.end};
+  if (event.corners.empty()) return ends;
+  // The polynomials of a step have some eight turns at most.
+  constexpr int looks = 16;
+  const double sense = step.length > 0.0 ? 1.0 : -1.0;
+  std::vector<double> times;
+  for (int k = 0; k <= looks; ++k) times.push_back(step.start + (step.end - step.start) * k / looks);
+  times.back() = step.end;
+  for (const EventCorner& corner : event.corners) {
+    const auto value = [&](double t) {
+      step.evaluate(t, y_sample_);
+      return corner.value(t, right_side_.q(y_sample_), right_side_.v(y_sample_));
+    };
+    std::vector<double> found = corners_between(value, corner.turns, times);
+    // A look at one corner may show another, which lies in a notch.
+    times.insert(times.end(), found.begin(), found.end());
+    std::ranges::sort(times, {}, [&](double t) { return sense * t; });
+    ends.insert(ends.end(), found.begin(), found.end());
+  }
+  std::ranges::sort(ends, {}, [&](double t) { return sense * t; });
+  // What is left between two that are nearly one would be rounding.
+  const double no_part = 1e-13 * std::fabs(step.length);
+  std::vector<double> apart{step.start};
+  for (const double t : ends)
+    if (sense * (t - apart.back()) > no_part && sense * (step.end - t) > no_part) apart.push_back(t);
+  apart.push_back(step.end);
+  return apart;
+}
+
 // Appends the hits in the step. True if a terminal one cut it: then step.end is that instant and y_end the state there.
 bool IntegrationRun::find_events(StepView& step, std::vector<double>& y_end) {
   struct Found {
@@ -99,11 +130,14 @@ bool IntegrationRun::find_events(StepView& step, std::vector<double>& y_end) {
       return event.value(t, right_side_.q(y_sample_), right_side_.v(y_sample_));
     };
     const double touch = event.touching ? options_.tolerance * event.size : 0.0;
-    for (const Zero& zero : find_zeros({value, step.start, step.end, touch, zero_at_start_[i] != 0, resolution})) {
-      const bool wanted = zero.direction == 0 || event.crossing == Crossing::any ||
-                          (event.crossing == Crossing::rising) == (zero.direction > 0);
-      if (wanted) found.push_back({i, zero});
-    }
+    const std::vector<double> parts = smooth_parts(event, step);
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k)
+      for (const Zero& zero :
+           find_zeros({value, parts[k], parts[k + 1], touch, k == 0 && zero_at_start_[i] != 0, resolution})) {
+        const bool wanted = zero.direction == 0 || event.crossing == Crossing::any ||
+                            (event.crossing == Crossing::rising) == (zero.direction > 0);
+        if (wanted) found.push_back({i, zero});
+      }
     zero_at_start_[i] = 0;
   }
   std::ranges::stable_sort(found, {}, [&](const Found& f) { return sense * f.zero.time; });

@@ -54,6 +54,7 @@ class IntegrationRun {
   bool is_watched() const { return options_.store || options_.observer || !events_.empty(); }
   std::optional<IntegrationMethod> successor(StepOutcome outcome) const;
   bool find_events(StepView& step, std::vector<double>& y_end);
+  std::vector<double> smooth_parts(const Event& event, const StepView& step);
   bool watches_drift() const { return options_.watch_drift && !equations_.conserved.empty(); }
   void note_drift(double t, std::span<const double> y);
   static Ending ending_of(StepOutcome outcome);

@@ -12,7 +12,8 @@ ConstraintRow<Scalar> constraint_row(const MechanismStateOf<Scalar>& state, cons
   ConstraintRow<Scalar> row;
   row.coefficients.assign(static_cast<std::size_t>(tree.velocity_size()), Scalar(0));
   row.bias = line.bias;
-  // The two bodies meet at one point, but a cord pulls each of them at its own end.
+  // The two bodies meet at one point. A cord pulls each of them along one line, and of the arms of a long one rounding
+  // would be left if they were taken to its other end.
   const auto add = [&](int body, const Vector3<Scalar>& p, double sign, const PlacedForce<Scalar>& unit) {
     for_each_coordinate_motion(tree, w, body, p, [&](int k, const SpatialMotion<Scalar>& S) {
       row.coefficients[static_cast<std::size_t>(k)] +=

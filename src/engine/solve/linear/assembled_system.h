@@ -79,8 +79,9 @@ AssembledSystem<Scalar>::AssembledSystem(const LinearSystemOf<Scalar>& system) {
     if (!known_rounding[static_cast<std::size_t>(i)])
       // Some fifty units in the last place of the largest coefficient: sums of several products of directions leave so
       // much. Where every coefficient of a row is rounding, the row has no size of its own; in natural units, which the
-      // entries are in, a few units in the last place of one are nothing.
-      rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 1e-15));
+      // entries are in, twenty units in the last place of one are nothing: so near to it is a root of the coefficient
+      // found, at which such a row ceases to contradict others.
+      rounding.row(i).setConstant(std::max(1e-14 * A.row(i).cwiseAbs().maxCoeff(), 4e-15));
   A = (A.array().abs() <= rounding.array()).select(0, A);
 }
 

@@ -81,6 +81,7 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
   const double first = std::max(r->values.norm(), 1e-300);
   double lambda = 1e-3;
   int creeping = 0;
+  bool settled = false;
   for (int iteration = 0; iteration < 60 && !function.limit().spent(); ++iteration) {
     const auto J = function.slopes(u, *r);
     if (!J) return std::nullopt;
@@ -93,9 +94,18 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
       MatrixXd damped = A;
       damped.diagonal() += lambda * A.diagonal() + VectorXd::Constant(A.rows(), 1e-300);
       const VectorXd step = damped.ldlt().solve(-g);
-      if (!step.allFinite() || step.norm() <= 2 * epsilon * (1 + u.norm())) break;
+      if (!step.allFinite()) break;
       const VectorXd next = stepped(function, u, step);
       const auto there = function.at(next);
+      // A step by the last digits is the last one. It is taken if it leads nearer: an equation that only contradicts
+      // others as long as it has any coefficient holds at the root and nowhere beside it.
+      if (step.norm() <= 2 * epsilon * (1 + u.norm())) {
+        if (there && there->values.size() == r->values.size() && there->values.norm() < r->values.norm()) {
+          u = next;
+          r = there;
+        }
+        break;
+      }
       if (there && there->values.size() == r->values.size() && there->values.norm() < r->values.norm()) {
         ratio = there->values.norm() / r->values.norm();
         u = next;
@@ -109,7 +119,10 @@ std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start
     // The search ends where the misfit is rounding, or falls so slowly that this is its minimum.
     creeping = ratio > 0.99 ? creeping + 1 : 0;
     if (moved && r->values.norm() <= enough * r->size) return judged(function, std::move(u), std::move(*r), *J);
-    if (!moved || r->values.norm() <= std::max(epsilon * first, 0.5 * epsilon * r->size) || creeping > 4) break;
+    // What is rounding beside the first misfit may be a misfit of a small unknown: one more step is tried.
+    const bool small = r->values.norm() <= std::max(epsilon * first, 0.5 * epsilon * r->size);
+    if (!moved || (small && settled) || creeping > 4) break;
+    settled = small;
   }
   const auto J = function.slopes(u, *r);
   if (!J) return std::nullopt;
@@ -124,13 +137,15 @@ std::optional<PolishedRoot> polish_with(RootFunction& function, const VectorXd& 
   for (int iteration = 0; iteration < 6; ++iteration) {
     if (r->values.norm() <= 0.5 * epsilon * r->size) break;
     const VectorXd next = function.clamped(u - solver.solve(r->values));
-    if ((next - u).norm() <= 2 * epsilon * (1 + u.norm())) break;
+    // The last digits of small unknowns are digits of theirs, though not of what is as large as one.
+    const bool last = (next - u).norm() <= 2 * epsilon * (1 + u.norm());
+    if (next == u) break;
     const auto there = function.at(next);
     if (!there || there->values.size() != r->values.size() || there->values.norm() >= r->values.norm()) break;
     const bool creeping = there->values.norm() > 0.5 * r->values.norm();
     u = next;
     r = there;
-    if (creeping) break;
+    if (creeping || last) break;
   }
   return judged(function, std::move(u), std::move(*r), slopes);
 }

@@ -309,7 +309,7 @@ class Lineariser {
     const Matrix felt = computed * A.doubt + unfelt * A.value.cwiseAbs();
     const Matrix allowed = size * (felt * sizes);
     if (((led.cwiseAbs() - allowed).array() > 0).any())
-      throw std::runtime_error("near the steady motion a force acts on a turning that moves no mass");
+      throw std::runtime_error("near the steady motion a force acts on what can move and has no mass");
     A = {seen_ * A.value, size * A.doubt};
   }
   bool rests(double pace) const {

@@ -32,6 +32,11 @@ TEST(SeenSign, OfDefiniteForms) {
   EXPECT_TRUE(is(a - b, 0, false));
   EXPECT_TRUE(is(u, 0, false));
   EXPECT_TRUE(is(u * u - 3 * u * v + v * v, 0, false));
+  EXPECT_TRUE(is(u * u * u * u - u * u + 1, 1, true));
+  EXPECT_TRUE(is(u * u * v * v - pow(u, 4) - pow(v, 4), -1, false));
+  EXPECT_TRUE(is(pow(u, 4) - 3 * u * u + 1, 0, false));
+  EXPECT_TRUE(is(3 * cos(u) * cos(u) + 1, 1, true));
+  EXPECT_TRUE(is(3 * cos(u) * cos(u) - 1, 0, false));
   // Where a leading coefficient vanishes nothing follows from the discriminant.
   EXPECT_EQ(seen_sign(u * u * v * v - a).sign, 0);
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "engine/math/formula/random_formulas.h"
@@ -405,6 +406,29 @@ TEST(Formula, GoesFromThreadToThread) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i], read("m*sin(a)^2/(r + 123456789012345678901234567890)^2") * static_cast<int>(i));
   }
+}
+
+// FLINT's sieve keeps its relations in a file in the current folder, under a name that threads share.
+TEST(Formula, RootsOfLargeNumbersNeedNoFilesAndNoOtherThread) {
+  EXPECT_EQ(read("sqrt(196133^2*1000000007*1000000009)"), read("196133*sqrt(1000000007*1000000009)"));
+  EXPECT_EQ(read("sqrt(1000000007^2*1000000009^4)"), read("1000000007*1000000009^2"));
+  EXPECT_EQ(read("sqrt(100000007*100000037*100000039)*sqrt(100000007*100000037*3)"),
+            read("100000007*100000037*sqrt(100000039*3)"));
+  std::vector<int> wrong(4);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    threads.emplace_back([&, i] {
+      for (int k = 0; k < 12; ++k) {
+        const int own = static_cast<int>(i);
+        const Formula number = (Formula(2147483647 - k) * Formula(2147483629 - own) + Formula(k)) * Formula(2147483587);
+        const Formula root = sqrt(number);
+        if (root * root != number) ++wrong[i];
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, std::vector<int>(4));
+  for (const auto& entry : std::filesystem::directory_iterator("."))
+    EXPECT_EQ(entry.path().string().find("siqs"), std::string::npos) << entry.path();
 }
 
 }  // namespace formula_test

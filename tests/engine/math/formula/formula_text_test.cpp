@@ -209,6 +209,20 @@ TEST(FormulaText, SpeaksOtherLanguages) {
   }
 }
 
+// 9.81 of the data is typeset as it was written; what shapes leave stays a fraction.
+TEST(FormulaText, DecimalsOfDataAreDecimalsInTex) {
+  const std::vector<std::pair<std::string, std::string>> formulas{
+      {"981*m/100", "9.81 m"},
+      {"-2943*sin(a)/(200*m)", "-\\frac{14.715 \\sin a}{m}"},
+      {"3*m*a^2/50", "0.06 m a^{2}"},
+      {"(a + m)/400", "0.0025 \\left(a + m\\right)"},
+      {"3*m*a^2/80", "\\frac{3 m a^{2}}{80}"},
+      {"83*m*a^2/320", "\\frac{83 m a^{2}}{320}"},
+      {"2*m/5", "\\frac{2 m}{5}"},
+      {"m/75", "\\frac{m}{75}"}};
+  for (const auto& [formula, tex] : formulas) EXPECT_EQ(text(read(formula), Notation::tex), tex) << formula;
+}
+
 // Of a letter that may have either sign.
 TEST(FormulaText, ASizeIsARootOfASquareExceptInTex) {
   const Formula x = Formula::letter("x", poinsot::Sign::real);

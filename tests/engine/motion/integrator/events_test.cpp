@@ -1,6 +1,7 @@
 // Events against closed forms: times of the pendulum by elliptic integrals, several zeros in one step, grazing ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
 #include <numbers>
@@ -230,6 +231,50 @@ TEST(ZeroSearchTest, finds_both_crossings_of_a_short_dip) {
       EXPECT_EQ(near[1].direction, 1);
       EXPECT_NEAR(near[1].time, at + 0.5 * width, 1e-3 * width);
     }
+}
+
+// Of sin: its zeros, and its extremes in the order of time's run, to the digits of the sine.
+TEST(ZeroSearchTest, finds_where_corners_may_be) {
+  const auto sine = [](double t) { return std::sin(t); };
+  Numbers looks;
+  for (int k = 0; k <= 40; ++k) looks.push_back(0.1 + 0.25 * k);
+  const Numbers zeros = corners_between(sine, false, looks), extremes = corners_between(sine, true, looks);
+  ASSERT_EQ(zeros.size(), 3U);
+  ASSERT_EQ(extremes.size(), 3U);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(zeros[k], (k + 1) * std::numbers::pi, 1e-14);
+    EXPECT_NEAR(extremes[k], (k + 0.5) * std::numbers::pi, 1e-10);
+  }
+  // The square of a distance that nearly vanishes, and a peak.
+  const auto near = [](double t) { return 1e-18 + (t - 1.2345678) * (t - 1.2345678); };
+  EXPECT_NEAR(corners_between(near, true, looks).at(0), 1.2345678, 1e-12);
+  const auto peak = [](double t) { return 3 - std::fabs(t - 1.2345678); };
+  EXPECT_NEAR(corners_between(peak, true, looks).at(0), 1.2345678, 1e-7);
+  std::ranges::reverse(looks);
+  EXPECT_NEAR(corners_between(sine, false, looks).front(), 3 * std::numbers::pi, 1e-14);
+}
+
+// A notch of a millionth of the swing in a value that is constant beside it.
+TEST(Events, a_notch_between_corners_is_not_stepped_over) {
+  const double q0 = 1.2;
+  for (const double c : {0.9, 0.31, -0.123, -0.777}) {
+    constexpr double near = 1e-6, flat = 0.01;
+    Event notch = at_angle(0);
+    notch.value = [=](double, std::span<const double> q, std::span<const double>) {
+      return std::min(std::fabs(q[0] - c), flat) - near;
+    };
+    const auto off = [=](double, std::span<const double> q, std::span<const double>) { return q[0] - c; };
+    const auto beside = [=](double, std::span<const double> q, std::span<const double>) {
+      return std::fabs(q[0] - c) - flat;
+    };
+    notch.corners = {{off, false}, {beside, false}};
+    notch.crossing = Crossing::falling;
+    const std::vector<Event> events{notch};
+    const IntegrationResult result =
+        integrate(pendulum(1.0), 0.0, Numbers{q0}, Numbers{0.0}, 3.0, IntegrationOptions{}, events);
+    ASSERT_FALSE(result.hits.empty()) << c;
+    EXPECT_NEAR(result.hits[0].time, time_to_fall(q0, c + near), 1e-8) << c;
+  }
 }
 
 TEST(ZeroSearchTest, a_zero_at_the_end_counts_and_one_at_the_start_does_not) {
