@@ -245,9 +245,8 @@ class Lexer {
         end += 3;
       } else if (const std::size_t dot = any_of(foreign_products, rest(end)); dot > 0 && begins_piece(end + dot)) {
         end = piece(end + dot);
-      } else if (text_[end] == '.' && begins_piece(end + 1)) {
-        end = piece(end + 1);
-      } else if ((text_[end] == '*' || text_[end] == '/') && begins_factor(end + 1)) {
+      } else if ((text_[end] == '.' && begins_piece(end + 1)) ||
+                 ((text_[end] == '*' || text_[end] == '/') && begins_factor(end + 1))) {
         end = piece(end + 1);
       } else if (text_[end] == '-' && begins_factor(end + 1)) {
         refuse_hyphen(begin, end, piece(end + 1));
