@@ -342,6 +342,17 @@ double Course::follow(double time) {
   }
 }
 
+std::optional<UnansweredError> Course::follow_as_far(double& until, double& reached, bool all) {
+  try {
+    reached = follow(until);
+    return std::nullopt;
+  } catch (const UnansweredError& error) {
+    if (all) throw;
+    reached = until = Course::reached();
+    return error;
+  }
+}
+
 MotionCheckpoint Course::checkpoint() const {
   std::size_t stage = stages_.size() - 1;
   while (stage > 0 && !stages_[stage].begun) --stage;

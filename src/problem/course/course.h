@@ -268,6 +268,10 @@ class Course : public FollowedMotion {
   void follow_less_closely(Course& coarse) const;
   void tell_how(const ExtremeFound& found, const Call& call);
   std::size_t stage_at(double time);
+  // Follows the motion to `until` and says how far that `reached`. If it cannot be followed further, what happens
+  // before is known nevertheless: both are then the last time it came to, and the reason is returned; or thrown, if
+  // `all` up to the time is wanted.
+  std::optional<UnansweredError> follow_as_far(double& until, double& reached, bool all);
   const Mark& mark_of(std::size_t stage) const;
   std::string words_of(std::size_t stage) const;
 

@@ -167,15 +167,7 @@ std::vector<double> Course::times_of_state(const Call& call, double from, std::o
   return sought_times(
       from, to, pace_time_,
       [&](double until) {
-        // If a motion cannot be followed further, what happens before is known nevertheless.
-        std::optional<UnansweredError> stopped;
-        try {
-          reached = follow(until);
-        } catch (const UnansweredError& error) {
-          if (to) throw;
-          stopped = error;
-          reached = until = Course::reached();
-        }
+        const std::optional<UnansweredError> stopped = follow_as_far(until, reached, to.has_value());
         const std::vector<double> found = entries_into(stages_, from, until, [&](const StageRun& stage, std::size_t i) {
           const auto& contacts = in_states_[stage.states[i]]->contacts;
           return std::ranges::find(contacts, contact->name, &Contact::name)->grip == asked;

@@ -51,15 +51,7 @@ std::vector<double> Course::times_of_hold(const Call& call, double from, std::op
   };
   double reached = 0;
   const auto find = [&](double until) {
-    // If a motion cannot be followed further, what happens before is known nevertheless.
-    std::optional<UnansweredError> stopped;
-    try {
-      reached = follow(until);
-    } catch (const UnansweredError& error) {
-      if (to) throw;
-      stopped = error;
-      reached = until = Course::reached();
-    }
+    const std::optional<UnansweredError> stopped = follow_as_far(until, reached, to.has_value());
     std::vector<double> found = entries_into(
         stages_, from, until, [&](const StageRun& stage, std::size_t i) { return acts(stage, i) != wants_apart; });
     for (const Blow& blow : blows_)
