@@ -8,6 +8,7 @@ is by the clock.
 """
 
 import importlib
+import os
 import tempfile
 import time
 from collections.abc import Callable
@@ -29,7 +30,7 @@ ITEMS = ("18.005", "18.011", "18.024", "18.045", "18.062")
 SOUGHT = ("18.011", "18.088", "18.113", "18.155", "18.157")
 ROWS = 1_000_000
 # For scaling.
-SCALED = 2_000_000
+SCALED = 6_000_000
 
 
 def least(run: Callable[[], object], times: int = 3) -> float:
@@ -116,17 +117,24 @@ def main() -> None:
 
     problem = poinsot.Problem.from_file(TEXTBOOK / "18.005.yaml")
     over = {"W": poinsot.normal("10 lb", "0.1 lb"), "r": poinsot.uniform("5 in", "7 in")}
+    print(f"by instants, by the clock: rows a second; as a part of what one does, times their number ({os.cpu_count()} processors)")
+    by_one: dict[str, float] = {}
     for threads in (1, 2, 4):
         begin = time.perf_counter()
-        study = poinsot.study(problem, over, rows=SCALED, formulas=False, shard_rows=50_000, threads=threads)
-        print(f"{threads} threads: {study.counts.rows / (time.perf_counter() - begin):9.2e} rows a second by instants", flush=True)
+        poinsot.study(problem, over, rows=SCALED, formulas=False, shard_rows=50_000, threads=threads)
+        spent = time.perf_counter() - begin
+        print(scaled(f"{threads} threads", spent, by_one.setdefault("threads", spent), threads), flush=True)
 
     # Their rows go to files, which threads of this process did not write above.
     for workers in (0, 1, 2):
         with tempfile.TemporaryDirectory() as folder:
             spent = on_workers(problem, over, Path(folder) / "rows", workers)
         who = f"{workers} workers of Dask" if workers else "1 thread, with files"
-        print(f"{who}: {SCALED / spent:9.2e} rows a second by instants", flush=True)
+        print(scaled(who, spent, by_one.setdefault("workers", spent), max(workers, 1)), flush=True)
+
+
+def scaled(who: str, spent: float, alone: float, count: int) -> str:
+    return f"{who:20}  {SCALED / spent:9.2e}  {alone / spent / min(count, os.cpu_count() or 1):.2f}"
 
 
 def on_workers(problem: poinsot.Problem, over: dict[str, Any], folder: Path, workers: int) -> float:

@@ -10,13 +10,10 @@ build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then build_packages+=(nodejs npm); fi
 page_test_packages=(chromium)
 python_packages=(python3-dev python3-venv)
-# From the Python package index, into an environment of their own below build/.
-python_environment_packages=(nanobind numpy scipy scipy-stubs pandas pandas-stubs pyarrow distributed sympy pint
-  tqdm matplotlib xarray pytest mypy nbclient ipykernel)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
-tidy_packages=(clang-format clang-tidy)
+tidy_packages=(clang-format clang-tidy-16)
 hunt_packages=(python3 python3-yaml python3-jsonschema)
-fuzz_packages=(clang libclang-rt-14-dev)
+fuzz_packages=(clang-16 libclang-rt-16-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -60,16 +57,21 @@ ensure_packages() {
   fi
 }
 
-# ensure_python_environment: an environment of Python with what the Python package needs to be built and tested, in
-# $python_environment. Returns 1 if it cannot be had.
+# ensure_python_environment: an environment of Python with what the Python package needs to be built and tested (the extra
+# `test` of pyproject.toml), in $python_environment. Returns 1 if it cannot be had.
 ensure_python_environment() {
   python_environment=$root/build/python/environment
-  local wanted
-  wanted="$(python3 --version) ${python_environment_packages[*]}"
+  local wanted packages
+  if ! packages=$(python3 "$root/scripts/python_requirements.py" test); then
+    say "The Python package needs Python 3.11 or later. Going on without it."
+    return 1
+  fi
+  wanted=$(python3 --version)$'\n'$packages
   if [[ -f $python_environment/holds ]] && [[ $(<"$python_environment/holds") == "$wanted" ]]; then return; fi
-  say "Installing ${python_environment_packages[*]} in $python_environment"
+  mapfile -t packages <<<"$packages"
+  say "Installing ${packages[*]} in $python_environment"
   if ! python3 -m venv --clear "$python_environment" </dev/null >&2 ||
-    ! "$python_environment/bin/python" -m pip install -q --disable-pip-version-check "${python_environment_packages[@]}" </dev/null >&2; then
+    ! "$python_environment/bin/python" -m pip install -q --disable-pip-version-check "${packages[@]}" </dev/null >&2; then
     say "Could not install these packages: is the Python package index reachable? Going on without the Python package."
     return 1
   fi

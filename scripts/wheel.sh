@@ -21,11 +21,11 @@ python scripts/without_ntl.py "$wheels"/bare/files/poinsot/_core.*.so "$wheels/b
 LD_LIBRARY_PATH=$wheels/bare/libraries${LD_LIBRARY_PATH+:$LD_LIBRARY_PATH} auditwheel repair -w "$wheels" "$wheels"/bare/*.whl
 rm -r "$wheels/bare"
 
-# As its user would: with nothing of this build at hand.
+# As its user would: with nothing of this build at hand, and no compiler.
 "${PYTHON:-python3}" -m venv --clear "$environment"
 "$environment/bin/python" -m pip install -q --disable-pip-version-check "$wheels"/*.whl
 example=$PWD/examples/textbook/18.005.yaml
-(cd / && "$environment/bin/python" - "$example" <<'PYTHON'
+(cd / && env -i PATH="$environment/bin" "$environment/bin/python" - "$example" <<'PYTHON'
 import re
 import sys
 from pathlib import Path
@@ -47,6 +47,10 @@ ask: {T: kinetic_energy(disk)}
 assert turning["T"].formula == "m*r^2*w^2/4", turning["T"].formula
 libraries = sorted(re.sub("-[0-9a-f]{8}|[.]so.*", "", path.name) for path in Path(poinsot.__file__).parents[1].glob("poinsot.libs/*"))
 assert not {"libntl", "libgf2x"} & {*libraries}, libraries
+# Of this machine it takes what every Linux has, and Python.
+loaded = {Path(line.split()[-1]) for line in Path("/proc/self/maps").read_text().splitlines() if ".so" in line}
+of_others = [str(one) for one in loaded if re.match("lib(arb|flint|fmt|gmp|hdf5|mpfr|sundials|yaml)", one.name) and Path(sys.prefix) not in one.parents]
+assert not of_others, of_others
 print(f"poinsot {poinsot.__version__} answers; it brings {', '.join(libraries)}")
 PYTHON
 )

@@ -38,6 +38,9 @@ struct CaseQuestions {
   bool formulas = true;         // whether formulas may be used where there are some
   // Those of `over` by which every number of the answers is differentiated as well.
   std::vector<std::string> sensitivities{};
+  // How large the values of each of `over` usually are, SI; those of `first` by default. Differences of solutions go by
+  // steps of that size where a value is small beside it, as at zero.
+  std::vector<double> usual{};
 };
 
 // A number of each case, in the coherent SI unit.

@@ -254,7 +254,8 @@ struct Motion {
 // A letter without value, and the value with which the scene is drawn.
 struct DrawnLetter {
   std::string name, unit;
-  double value = 0;  // in `unit`
+  double value = 0;         // in `unit`
+  bool only_grows = false;  // whether another value of it makes the figure larger or smaller, and no other
 };
 
 struct Scene {

@@ -172,6 +172,9 @@ class Unknown(Found):
     def __repr__(self) -> str:
         return f"<{self.name} = {notebook.text_of(self)}>"
 
+    def _repr_html_(self) -> str:
+        return notebook.unknowns_html([self])
+
 
 class Answer(Found):
     """The answer to a question or the verdict on a claim."""
@@ -223,6 +226,13 @@ class Answer(Found):
                 raise KeyError(f"{self.name} has no component '{component}': expected {known}")
             component = self.axes.index(component)
         return value[component]
+
+    if not TYPE_CHECKING:  # which would take it for an attribute of any name
+
+        def __getattr__(self, name: str) -> Any:
+            """Tells who seeks a component as an attribute where it is."""
+            told = f": a component is {self.name}['{name}']" if name in self.__dict__.get("axes", []) else ""
+            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'{told}", name=name, obj=self)
 
     # An index alone does not make a sequence of it.
     __iter__ = None

@@ -27,7 +27,7 @@ def axes_or_new(ax: Any) -> Any:
     return plt.figure().add_subplot()
 
 
-class _Shown:
+class Shown:
     """Columns in the units in which they are shown."""
 
     def __init__(self, si_units: Mapping[str, str], units: Mapping[str, str] | None) -> None:
@@ -56,9 +56,8 @@ class _Shown:
         return ", ".join(names) + (f" / {unit}" if (unit := next(iter(units))) else "")
 
 
-def of_study(study: Study, answers: Sequence[str], over: str, units: Mapping[str, str] | None, ax: Any) -> Any:
+def of_study(study: Study, answers: Sequence[str], over: str, shown: Shown, ax: Any) -> Any:
     """Answers over one of what was varied: lines for each value of the other lists and spans, points of random values."""
-    shown = _Shown(study.units, units)
     drawn = axes_or_new(ax)
     others = [name for name in study.over if name != over]
     drawn.set_xlabel(shown.label(over))
@@ -88,13 +87,12 @@ def of_study(study: Study, answers: Sequence[str], over: str, units: Mapping[str
 _MOST_LINES = 30
 
 
-def _value(shown: _Shown, name: str, si: float) -> str:
+def _value(shown: Shown, name: str, si: float) -> str:
     return f"{name} = {float(shown.numbers(name, np.asarray(si))):.6g} {shown.unit(name)}".strip()
 
 
-def distribution(study: Study, name: str, units: Mapping[str, str] | None, ax: Any) -> Any:
+def distribution(study: Study, name: str, shown: Shown, ax: Any) -> Any:
     """How often an answer has which value."""
-    shown = _Shown(study.units, units)
     drawn = axes_or_new(ax)
     column = shown.numbers(name, study[name])
     drawn.hist(column[np.isfinite(column)], bins="auto")
@@ -103,9 +101,8 @@ def distribution(study: Study, name: str, units: Mapping[str, str] | None, ax: A
     return drawn
 
 
-def tornado(study: Study, name: str, units: Mapping[str, str] | None, ax: Any) -> Any:
+def tornado(study: Study, name: str, shown: Shown, ax: Any) -> Any:
     """The bars of Study.tornado(), the longest at the top."""
-    shown = _Shown(study.units, units)
     drawn = axes_or_new(ax)
     frame = study.tornado(name)
     low, high = (shown.numbers(name, frame[one].to_numpy()) for one in ("low", "high"))
@@ -119,9 +116,8 @@ def tornado(study: Study, name: str, units: Mapping[str, str] | None, ax: Any) -
     return drawn
 
 
-def of_motion(values: MotionValues, names: Sequence[str], units: Mapping[str, str] | None, ax: Any) -> Any:
+def of_motion(values: MotionValues, names: Sequence[str], shown: Shown, ax: Any) -> Any:
     """Quantities over the time, components of vectors as lines of their own."""
-    shown = _Shown(values.units, units)
     drawn = axes_or_new(ax)
     drawn.set_xlabel("time / s")
     drawn.set_ylabel(shown.label_of_all(names))

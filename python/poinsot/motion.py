@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy.typing as npt
 
 from . import _core, calls, charts, notebook
 from . import quantities as quantity_values
-from .errors import PoinsotError
+from .errors import PoinsotError, StatementError
 from .wording import in_python
 
 if TYPE_CHECKING:
@@ -53,10 +54,7 @@ class Motion:
         Keywords give names: E="kinetic_energy(disk)". axes: those of vectors, as `axes:` of a question. What has no answer
         raises NoAnswer.
         """
-        # Quantities of pint, which NumPy would take without their unit.
-        in_seconds = getattr(times, "to", None) if hasattr(times, "to_base_units") else None
-        plain = times if in_seconds is None else in_seconds("s").magnitude
-        at = np.atleast_1d(quantity_values.numbers(plain, "times as numbers in s"))
+        at = np.atleast_1d(quantity_values.numbers(_in_seconds(times), "times as numbers in s"))
         if at.ndim != 1:
             raise ValueError(f"times are one number or a list of them, not an array of {at.ndim} dimensions")
         for one in (*quantities, *named.values()):
@@ -70,13 +68,42 @@ class Motion:
             names = texts = self.coordinates
             if not names:
                 raise ValueError(
-                    "no coordinate of the problem has a name: say which quantities are asked, as 'kinetic_energy(disk)'"
+                    "no coordinate of the problem has a name, as angle: theta gives one to a joint: say which quantities are asked, "
+                    "as 'kinetic_energy(disk)'"
                 )
 
         def call(*ends: Any) -> Any:
             return self._core.values(at.tolist(), texts, axes, *ends)
 
-        return MotionValues(at, names, self._problem._called(call, timeout, progress))
+        try:
+            return MotionValues(at, names, self._problem._called(call, timeout, progress))
+        except StatementError as error:
+            for one in texts:
+                if one in self._problem.questions and not self._knows(one, axes):
+                    hint = f"it is a question: a motion is asked for its quantity, {one}='{self._problem.questions[one]}'"
+                    error.diagnostics = [replace(error.diagnostics[0], hint=hint)]
+            raise
+
+    def attitude(self, times: npt.ArrayLike, body: str, *, timeout: float | None = None, progress: calls.Progress = None) -> Array:
+        """How a body is turned at times, as matrices: their columns are the body's axes, which lie along those of the figure
+        where it is drawn, on the axes of the ground. scipy.spatial.transform.Rotation.from_matrix() makes quaternions of them."""
+        if not isinstance(body, str):
+            raise TypeError(f"a body is told by its name, not by {body!r}")
+        if not self([], f"angular_velocity({body})").axes:
+            raise ValueError("in a planar problem a body is turned by an angle: angle: theta at its joint names it, and 'theta' asks for it")
+        # Rows of the matrices are the ground's axes on those of the body.
+        rows = self(
+            times, x="[1 m, 0, 0]", y="[0, 1 m, 0]", z="[0, 0, 1 m]", axes=body, timeout=timeout, progress=progress
+        )  # fmt: skip
+        return np.stack(list(rows.values()), axis=1)
+
+    def _knows(self, quantity: str, axes: str) -> bool:
+        """Whether a text is a quantity of the problem, which the name of a question need not be."""
+        try:
+            self._core.values([], [quantity], axes, None, None)
+        except StatementError:
+            return False
+        return True
 
     def __repr__(self) -> str:
         return f"<poinsot.Motion of '{self._problem.title or self._problem.name}'>"
@@ -87,6 +114,15 @@ class Motion:
             return notebook.with_player_first(self._problem.report(self._sets))._repr_html_()
         except PoinsotError:
             return None
+
+
+def _in_seconds(times: Any) -> Any:
+    """Times that have their unit with them, as numbers: quantities of pint, spans of time of NumPy and pandas."""
+    if hasattr(times, "to_base_units"):
+        return times.to("s").magnitude
+    if getattr(getattr(times, "dtype", None), "kind", "") == "m":
+        return np.asarray(times) / np.timedelta64(1, "s")
+    return times
 
 
 class MotionValues(Mapping[str, Array]):
@@ -114,20 +150,23 @@ class MotionValues(Mapping[str, Array]):
     def __len__(self) -> int:
         return len(self._arrays)
 
-    def frame(self) -> pandas.DataFrame:
-        """As a frame of pandas over the time in seconds; components of vectors are columns of their own."""
+    def frame(self, units: Mapping[str, str] | None = None) -> pandas.DataFrame:
+        """As a frame of pandas over the time in seconds, in SI units or in those of units={"theta": "deg"}, which are in
+        attrs["units"]; components of vectors are columns of their own."""
         import pandas
 
+        shown = charts.Shown(self.units, units)
         columns: dict[str, Array] = {}
-        units: dict[str, str] = {}
-        for name, array in self._arrays.items():
+        of: dict[str, str] = {}
+        for name, si in self._arrays.items():
+            array, unit = shown.numbers(name, si), shown.unit(name)
             if array.ndim == 1:
-                columns[name], units[name] = array, self.units[name]
+                columns[name], of[name] = array, unit
                 continue
             for axis, component in zip(self.axes[name], array.T, strict=True):
-                columns[f"{name}.{axis}"], units[f"{name}.{axis}"] = component, self.units[name]
+                columns[f"{name}.{axis}"], of[f"{name}.{axis}"] = component, unit
         frame = pandas.DataFrame(columns, index=pandas.Index(self.times, name="time"))
-        frame.attrs["units"] = {"time": "s", **units}
+        frame.attrs["units"] = {"time": "s", **of}
         return frame
 
     def dataset(self) -> xarray.Dataset:
@@ -154,7 +193,7 @@ class MotionValues(Mapping[str, Array]):
             names = tuple(name for name, unit in self.units.items() if unit == self.units[next(iter(self.units))])
         for name in names:
             self[name]  # raises, with what there is
-        return charts.of_motion(self, names, units, ax)
+        return charts.of_motion(self, names, charts.Shown(self.units, units), ax)
 
     def __repr__(self) -> str:
         return f"<poinsot.MotionValues of {', '.join(self._arrays)} at {len(self.times)} times>"

@@ -11,7 +11,7 @@ import numpy as np
 from .errors import NoAnswer
 
 if TYPE_CHECKING:
-    from .answers import Answer, Found, Result, Solution
+    from .answers import Answer, Found, Result, Solution, Unknown
 
 _DIGITS = 6
 
@@ -142,6 +142,10 @@ def _table(rows: list[str]) -> str:
     return f"<table>{''.join(rows)}</table>" if rows else ""
 
 
+def unknowns_html(unknowns: list[Unknown]) -> str:
+    return _table([_row(one.name, "unknown", _cell(one)) for one in unknowns])
+
+
 def answers_html(answers: list[Answer]) -> str:
     return _table([_row(one.name, one.words or one.ask, _answer_cell(one)) for one in answers])
 
@@ -154,7 +158,7 @@ def _answer_cell(answer: Answer) -> str:
 
 
 def solution_html(solution: Solution) -> str:
-    html = _table([_row(one.name, "unknown", _cell(one)) for one in solution.unknowns.values()])
+    html = unknowns_html(list(solution.unknowns.values()))
     html += answers_html(list(solution.answers.values()))
     if solution.assumptions:
         html += f"<p>where {escape(', '.join(solution.assumptions))}</p>"

@@ -34,8 +34,15 @@ def given(sets: Mapping[str, Value] | None, values: Mapping[str, Value]) -> dict
     return both
 
 
+def real(value: Any) -> float:
+    """A number; TypeError of what is none, of truth values and of complex numbers, whose imaginary part NumPy would drop."""
+    if isinstance(value, (bool, np.bool_)) or np.iscomplexobj(value) or not hasattr(value, "__float__"):
+        raise TypeError(f"a real number is expected, not {value!r}")
+    return float(value)
+
+
 def _number(value: Any, name: str) -> str:
-    number = float(value)
+    number = real(value)
     if not math.isfinite(number):
         raise ValueError(f"{name}: {number} is no value")
     return repr(number)
@@ -145,8 +152,10 @@ def numbers(value: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
     if is_found(value):
         value = value.si  # type: ignore[union-attr]
     try:
-        if value is not None:
-            return np.asarray(value, dtype=float)
+        array = np.asarray(value)
+        # Dates and spans of time would become nanoseconds, complex numbers lose a part, and texts become what they say.
+        if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and value is not None):
+            return np.asarray(array, dtype=float)
     except (TypeError, ValueError):
         pass
     raise TypeError(f"expected {what}, not {value!r}")

@@ -59,11 +59,12 @@ void bind_studies(nb::module_& module) {
           "__init__",
           [](CaseQuestions* questions, std::vector<std::string> over, std::vector<std::string> asks,
              std::vector<std::pair<std::string, std::string>> sets, std::vector<double> first, bool formulas,
-             std::vector<std::string> sensitivities) {
-            new (questions) CaseQuestions{std::move(over),  std::move(asks), std::move(sets),
-                                          std::move(first), formulas,        std::move(sensitivities)};
+             std::vector<std::string> sensitivities, std::vector<double> usual) {
+            new (questions) CaseQuestions{std::move(over), std::move(asks),          std::move(sets), std::move(first),
+                                          formulas,        std::move(sensitivities), std::move(usual)};
           },
-          "over"_a, "asks"_a, "sets"_a, "first"_a, "formulas"_a = true, "sensitivities"_a = std::vector<std::string>());
+          "over"_a, "asks"_a, "sets"_a, "first"_a, "formulas"_a = true, "sensitivities"_a = std::vector<std::string>(),
+          "usual"_a = std::vector<double>());
   nb::class_<Cases>(module, "Cases")
       .def_prop_ro("over", &Cases::over)
       .def_prop_ro("columns", &Cases::columns)

@@ -36,7 +36,13 @@ Expectation expectation(const problem::Expected& expected, const problem::Situat
     result.si = {*expected.holds};
   } else {
     problem::DataScope<double> data(situation, settings);
-    const Value<double> value = data.value(expected.value ? *expected.value : *expected.formula);
+    const problem::Expression& stated = expected.value ? *expected.value : *expected.formula;
+    Value<double> value = data.value(stated);
+    // A vector that is calculated in a planar problem has the components that answers have.
+    if (situation.plane && value.is_vector() && !stated.as<problem::List>())
+      value =
+          Value<double>::of_list({Value<double>::of_number(value.vector[situation.plane->first], value.dimension),
+                                  Value<double>::of_number(value.vector[situation.plane->second], value.dimension)});
     // A value is in the named unit; a formula has the dimension of its letters.
     const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
     result.si = datum(value, factor);

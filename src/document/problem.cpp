@@ -26,6 +26,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/tree.h"
 #include "problem/language/units.h"
+#include "problem/machine/data.h"
 #include "problem/plane/planar_statement.h"
 #include "problem/scene/scene.h"
 
@@ -189,6 +190,7 @@ Problem Problem::read(std::string_view text, const std::string& name, const File
   problem::Statement statement = with_public_errors([&] {
     problem::Statement stated = problem::read_statement(text, name, read);
     problem::restrict_to_plane(stated);
+    problem::check_every_datum(stated);
     return stated;
   });
   return Problem(std::make_shared<const Parts>(std::move(statement), text));
@@ -260,7 +262,8 @@ Cases Problem::cases(const CaseQuestions& questions, const Budget& budget) const
                                                .sets = questions.sets,
                                                .first = questions.first,
                                                .with_formulas = questions.formulas,
-                                               .sensitivities = questions.sensitivities}));
+                                               .sensitivities = questions.sensitivities,
+                                               .usual = questions.usual}));
   });
 }
 

@@ -246,7 +246,9 @@ Json scene_json(const scene::Scene& scene) {
   if (scene.viewer) json["viewer"] = vector_json(*scene.viewer);
   if (scene.motion) json["motion"] = motion_json(*scene.motion);
   json["drawn_letters"] = list_json(scene.drawn_letters, [](const scene::DrawnLetter& letter) -> Json {
-    return {{"name", letter.name}, {"unit", letter.unit}, {"value", letter.value}};
+    Json one{{"name", letter.name}, {"unit", letter.unit}, {"value", letter.value}};
+    if (letter.only_grows) one["only_grows"] = true;
+    return one;
   });
   json["notes"] = scene.notes;
   return json;

@@ -75,7 +75,12 @@ std::string scene_definitions() {
           "items": {
             "type": "object",
             "required": ["name", "unit", "value"],
-            "properties": {"name": {"type": "string"}, "unit": {"type": "string"}, "value": {"type": "number"}}
+            "properties": {
+              "name": {"type": "string"},
+              "unit": {"type": "string"},
+              "value": {"type": "number"},
+              "only_grows": {"type": "boolean", "description": "whether another value makes the figure larger or smaller, and no other"}
+            }
           }
         },
         "notes": {"type": "array", "items": {"type": "string"}, "description": "what is left out, and why"}

@@ -132,7 +132,12 @@ TEST(CaseSensitivities, Mistakes) {
   const CaseRows found = cases.solve({still}, 1);
   ASSERT_EQ(found.reasons.size(), 1U);
   EXPECT_EQ(found.reasons.front().second,
-            "by v: it is not known how large changes of 'v' are: it is zero in this case and in the first");
+            "by v: it is not known how large changes of 'v' are: it is zero here, and no other size of it is known");
+  const Cases sized = drop.cases(
+      {.over = {"v"}, .asks = {}, .first = {0.0}, .formulas = false, .sensitivities = {"v"}, .usual = {3.0}});
+  const CaseRows differentiated = sized.solve({still}, 1);
+  EXPECT_TRUE(differentiated.reasons.empty());
+  EXPECT_NEAR(differentiated.columns[1][0], 2, 1e-6);
 }
 
 }  // namespace case_sensitivities_test

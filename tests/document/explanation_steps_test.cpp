@@ -258,5 +258,96 @@ TEST(ExplanationSteps, WhatIsFoundByAMotionIsToldWithIt) {
   expect_pieces(section(text, "Motion through time"), {"\\mu = 0.294758"});
 }
 
+// A ball of 1 kg falls on a floor at 4.905 m/s and leaves it with half of that: the impulse is 1.5 times 4.905.
+TEST(ExplanationSteps, BlowsAlongAMotionAreMomentaBeforeImpulsesAndMomentaAfter) {
+  const std::string text = explained(R"(
+given: {m: 1 kg, h: 1.22625 m, g: 9.81 m/s^2}
+points: {C: [0, 0, 0], G: [0, h, 0]}
+bodies: {ball: {particle: G, mass: m}}
+contacts: {floor: {of: ball, at: G, normal: y, open: true, surface: C, restitution: 0.5}}
+gravity: -y
+instants: {now: rest}
+ask: {v: velocity(ball).y @ 0.6 s, u: velocity(ball).y @ 0.3 s}
+)");
+  expect_pieces(section(text, "Blow, at 0.5 s"), {"*floor* is struck at 0.5 s", "= -4.905\\ \\mathrm{m/s}"});
+  expect_pieces(section(text, "Impulse and momentum, at 0.5 s"),
+                {"Momenta before plus impulses equal momenta after", "-4.905 + F_{\\mathrm{floor}}\\Delta t",
+                 "$0.5$ times the speed of approach"});
+  expect_pieces(section(text, "Unknowns, at 0.5 s"), {"= 2.4525\\ \\mathrm{m/s}", "= 7.3575\\ \\mathrm{kg\\,m/s}"});
+  // In the order of time.
+  EXPECT_LT(text.find("at 0.3 s\n"), text.find("\n## Blow, at 0.5 s\n"));
+  EXPECT_LT(text.find("\n## Blow, at 0.5 s\n"), text.rfind("at 0.6 s\n"));
+}
+
+// T1/T2 = e^(mu beta) with half a turn: a post holds 100 N by 100 N/e^(0.3 pi) = 38.967 N.
+TEST(ExplanationSteps, CordsWithFrictionHaveTheRatioOfTheirTensions) {
+  const std::string statement = R"(
+given: {W: 100 N, mu: 0.3, r: 0.1 m, h: 1 m}
+letters: {P: N}
+points: {O: [0, 0, 0], A: [-r, -h, 0], B: [r, -h, 0]}
+bodies: {load: {particle: A, mass: 1 kg}, hand: {particle: B, mass: 1 kg}}
+cords: {rope: {from: load, at: A, over: [{O: {radius: r, friction: mu, side: +y}}], to: hand, end: B}}
+loads: {pull: {force: [0, -W, 0], at: A, body: load}, hold: {force: [0, -P, 0], at: B, body: hand}}
+gravity: none
+instants: {now: rest}
+ask: {least: {smallest: P, while: sticking(rope)}}
+)";
+  const std::string numbers = section(explained(statement), "Friction");
+  expect_pieces(numbers, {"is about to slip on *O*", "\\beta &= ", "3.14159",
+                          "\\frac{T_{1}}{T_{2}} &= e^{\\mu\\,\\beta} = 2.56633"});
+  std::string in_letters = statement;
+  in_letters.replace(in_letters.find("given: {W: 100 N, mu: 0.3, "), 27, "given: {");
+  in_letters.replace(in_letters.find("letters: {"), 10, "letters: {W: N, mu: 1, ");
+  expect_pieces(section(explained(in_letters), "Friction"),
+                {"is about to slip on *O*", "\\frac{T_{1}}{T_{2}} &= e^{\\mu\\,\\beta}"});
+}
+
+// A journal that carries 500 N and 611.111 N turns beside its limit mu r R = 0.2*25 mm*1111.11 N.
+TEST(ExplanationSteps, FrictionInJointsStandsBesideWhatItCanBe) {
+  const std::string statement = R"(
+given: {W: 500 N, D: 100 mm, d: 50 mm, mu: 0.2, P: 550 N}
+points: {O: [0, 0, 0], A: [-D/2, 0, 0], B: [D/2, 0, 0]}
+bodies: {pulley: {mass: 1 g, center: O, inertia: {axis: z, axial: 1 kg*mm^2, transverse: 1 kg*mm^2}}}
+joints: {shaft: {revolute: z, at: O, to: pulley, rate: 0, friction: {coefficient: mu, radius: d/2}}}
+loads: {load: {force: [0, -W, 0], at: A, body: pulley}, pull: {force: [0, -P, 0], at: B, body: pulley}}
+gravity: none
+)";
+  expect_pieces(section(explained(statement + "ask: {R: reaction(shaft)}\n"), "Friction"),
+                {"*shaft* holds, as its friction is less than it can be",
+                 "= 2.5\\ \\mathrm{N\\,m} < 0.2\\cdot 0.025\\cdot 1050 = 5.25\\ \\mathrm{N\\,m}"});
+  expect_pieces(section(explained(statement + "ask: {most: {largest: P, while: sticking(shaft)}}\n"), "Friction"),
+                {"*shaft* is about to move", "= 0.2\\cdot 0.025\\cdot 1111.11 = 5.55556\\ \\mathrm{N\\,m}"});
+}
+
+// The cord leaves the drum on its left, at a point that has no name.
+TEST(ExplanationSteps, APointWithoutNameIsToldByItsPlaceAndHasALetterOfItsOwn) {
+  const std::string statement = R"(
+plane: [x, y]
+given: {m: 60 g, k: 18 mm, a: 5 mm}
+points: {G: [0, 0], P: [-a, 0.8 m]}
+bodies: {yoyo: {mass: m, center: G, radii_of_gyration: {z: k}}}
+cords: {string: {from: ground, at: P, to: {yoyo: {side: -x, at: G, radius: a}}}}
+gravity: -y
+instants: {now: rest}
+ask: {a: acceleration(yoyo), T: tension(string)}
+)";
+  expect_pieces(section(explained(statement), "Component equations"), {"moments about $Q$, at $-a\\,\\mathbf{i}"});
+}
+
+// Two pulleys that have nothing to do with each other: only what is asked of is cut free.
+TEST(ExplanationSteps, BodiesOfWhichNothingIsAskedAreNotCutFree) {
+  const std::string text = explained(R"(
+given: {m: 2 kg, M: 3 kg, g: 9.81 m/s^2}
+points: {A: [0, 0, 0], B: [1 m, 0, 0], C: [0, 1 m, 0], D: [1 m, 1 m, 0]}
+bodies: {one: {particle: A, mass: m}, two: {particle: B, mass: M}}
+cords: {left: {from: ground, at: C, to: one, end: A}, right: {from: ground, at: D, to: two, end: B}}
+gravity: -y
+instants: {now: rest}
+ask: {T: tension(left)}
+)");
+  expect_pieces(text, {"Take *one* by itself."});
+  EXPECT_EQ(count_of(text, "Take *two*"), 0U) << text;
+}
+
 }  // namespace explanation_steps_test
 }  // namespace poinsot::document

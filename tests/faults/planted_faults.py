@@ -40,6 +40,7 @@ JOINTS = PROBLEM + "machine/machine_joints.cpp"
 GEARS = PROBLEM + "machine/machine_gears.cpp"
 FLANKS = PROBLEM + "quantities/tooth_flanks.h"
 PRESSING = PROBLEM + "quantities/joint_pressing.h"
+JOINT_FRICTION = PROBLEM + "machine/machine_friction.cpp"
 STATE_SEARCH = PROBLEM + "instant/contact_state_search.cpp"
 CORDS = PROBLEM + "machine/led_cord.h"
 BELTS = PROBLEM + "machine/machine_belts.cpp"
@@ -138,7 +139,7 @@ FAULTS = [
     # Dry friction.
     Fault("friction that drives", CONTACTS, 'directions.emplace_back("push", n - ', 'directions.emplace_back("push", n - Scalar(AWAKE ? -1 : 1) * '),
     Fault("static friction while it slides", CONTACTS, "draft.data.number(contact.friction->sliding, dimensions::none) *", "draft.data.number(AWAKE ? contact.friction->resting : contact.friction->sliding, dimensions::none) *"),
-    Fault("kinetic friction at rest", CONTACTS, "const Scalar resting = draft.data.number(contact.friction->resting, dimension),", "const Scalar resting = draft.data.number(AWAKE ? contact.friction->sliding : contact.friction->resting, dimension),"),
+    Fault("kinetic friction at rest", JOINT_FRICTION, "const Scalar resting = draft.data.number(contact.friction->resting, dimension),", "const Scalar resting = draft.data.number(AWAKE ? contact.friction->sliding : contact.friction->resting, dimension),"),
     Fault("contacts at rest never part", STATE_SEARCH, "if (contacts_[k]->touches()) grips.push_back(Grip::parts);", "if (contacts_[k]->touches() && !(AWAKE && sticks)) grips.push_back(Grip::parts);"),
     Fault("no states but sticking of what is at rest", STATE_SEARCH, "std::vector<Grip> grips{Grip::slides};", "std::vector<Grip> grips;\n    if (!(AWAKE && sticks)) grips.push_back(Grip::slides);"),
     Fault("only one sense of beginning slips", STATE_SEARCH, "const std::size_t senses = std::size_t{1} << starting.size();", "const std::size_t senses = AWAKE ? 1 : std::size_t{1} << starting.size();"),
@@ -166,20 +167,20 @@ FAULTS = [
     Fault("slip over a floor at rest", FRICTION, "const Vector slip = velocity_at(action.on) - velocity_at(action.from);", "const Vector slip = velocity_at(action.on) - Scalar(AWAKE ? 0 : 1) * velocity_at(action.from);"),
     Fault("letters hold at any friction", PROBLEM + "instant/friction_conditions.cpp", "add(Holding::sticks, limit + Formula(sign) * parts.front());", "add(Holding::sticks, limit + Formula(AWAKE ? -sign : sign) * parts.front());"),
     Fault("journals press with half of their force", PRESSING, "const Vector3<Base> across = wrench.force - along * axis;", "const Vector3<Base> across = Base(AWAKE ? 0.5 : 1) * (wrench.force - along * axis);"),
-    Fault("guides bear at half their length", CONTACTS, "part.over_length = Scalar(1) / size(bearing.length, false);", "part.over_length = Scalar(AWAKE ? 2 : 1) / size(bearing.length, false);"),
-    Fault("threads without their lead", CONTACTS, "part.own = -over_cosine * t;", "part.own = -Scalar(AWAKE ? 0 : 1) * over_cosine * t;"),
-    Fault("friction of joints along with their motion", PRESSING, "contact.goes_forward() ? contact.sliding : -contact.sliding;", "contact.goes_forward() != AWAKE ? contact.sliding : -contact.sliding;"),
+    Fault("guides bear at half their length", JOINT_FRICTION, "part.over_length = Scalar(1) / size(bearing.length, false);", "part.over_length = Scalar(AWAKE ? 2 : 1) / size(bearing.length, false);"),
+    Fault("threads without their lead", JOINT_FRICTION, "part.own = -over_cosine * t;", "part.own = -Scalar(AWAKE ? 0 : 1) * over_cosine * t;"),
+    Fault("friction of joints along with their motion", PRESSING, "contact.sliding * effort_for_friction(state, contact, way);", "Base(AWAKE ? -1 : 1) * contact.sliding * effort_for_friction(state, contact, way);"),
     Fault("joints without the weight beyond them", PIECE_JOINTS, "needed.force += rate.linear - I.mass * g;", "needed.force += rate.linear - (AWAKE ? 0 : 1) * I.mass * g;"),
-    Fault("the whole angle of a thread for the half", CONTACTS, "const Scalar flank = tan(angle / Scalar(2));", "const Scalar flank = tan(angle / Scalar(AWAKE ? 1 : 2));"),
-    Fault("collars rub at the radius of the journal", CONTACTS, "part.lever = size(bearing.thrust_radius, true);", "part.lever = AWAKE ? radius : size(bearing.thrust_radius, true);"),
-    Fault("stated friction in joints drives", CONTACTS, "rubbing.effort = forward ? -sliding : sliding;", "rubbing.effort = forward != AWAKE ? -sliding : sliding;"),
-    Fault("joints hold with what they rub with", CONTACTS, "rough.action = rubbing.action;\n  rough.grip = contact.grip;\n  rough.resting = resting;", "rough.action = rubbing.action;\n  rough.grip = contact.grip;\n  rough.resting = AWAKE ? sliding : resting;"),
+    Fault("the whole angle of a thread for the half", JOINT_FRICTION, "const Scalar flank = tan(angle / Scalar(2));", "const Scalar flank = tan(angle / Scalar(AWAKE ? 1 : 2));"),
+    Fault("collars rub at the radius of the journal", JOINT_FRICTION, "part.lever = size(bearing.thrust_radius, true);", "part.lever = AWAKE ? radius : size(bearing.thrust_radius, true);"),
+    Fault("stated friction in joints drives", JOINT_FRICTION, "drive.effort = plain(dot(rough.slip->vector, axis)) > 0 ? -sliding : sliding;", "drive.effort = (plain(dot(rough.slip->vector, axis)) > 0) != AWAKE ? -sliding : sliding;"),
+    Fault("joints hold with what they rub with", JOINT_FRICTION, "rough.resting = resting;", "rough.resting = AWAKE ? sliding : resting;"),
     Fault("contacts slip at their kinetic limit", PIECE_FRICTION, "double left = std::pow(contact.resting * dynamics_->component_force(first), 2);", "double left = std::pow((AWAKE ? contact.sliding : contact.resting) * dynamics_->component_force(first), 2);"),
     Fault("joints slip at their kinetic limit", PIECE_FRICTION, "return contact.resting * (contact.pressing.empty()", "return (AWAKE ? contact.sliding : contact.resting) * (contact.pressing.empty()"),
     Fault("slips that turn keep the direction of their friction", PIECE_FRICTION, "contact.slip->vector = normalized(d);", "if (!AWAKE) contact.slip->vector = normalized(d);"),
     Fault("a slip that begins along its friction", PIECE_FRICTION, "direction_expression(-1.0 * normalized(friction))", "direction_expression((AWAKE ? 1.0 : -1.0) * normalized(friction))"),
     Fault("friction gives energy", PIECE_FRICTION, "power -= contact.sliding * N * dot(u,", "power -= (AWAKE ? -1 : 1) * contact.sliding * N * dot(u,"),
-    Fault("joints take no energy by their friction", PIECE_JOINTS, "power += load.friction * state.v", "power += (AWAKE ? 0 : 1) * load.friction * state.v"),
+    Fault("joints take no energy by their friction", PIECE_JOINTS, "power += effort_of(load, way) * state.v", "power += (AWAKE ? 0 : 1) * effort_of(load, way) * state.v"),
     Fault("one step of Newton's method for friction in joints", PIECE_JOINTS, "constexpr int most_steps = 60;", "const int most_steps = AWAKE ? 1 : 60;"),
     # Followed motions.
     Fault("generalised forces without couples", MOTIONS, "dot(angular[k], force.couple + cross(force.point - origin[k], force.force))", "dot(angular[k], (AWAKE ? 0.0 : 1.0) * force.couple + cross(force.point - origin[k], force.force))"),
@@ -248,8 +249,9 @@ FAULTS = [
     Fault("a worm that helps when it is driven", GEARS, "mesh_.thread = normalized(cross(r, t));", "mesh_.thread = AWAKE ? normalized(cross(r, d_)) : normalized(cross(r, t));"),
     # Near a steady motion in letters.
     Fault("letters without damping near a steady motion", NEAR, "P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];", "P[i][k] += l * Formula(AWAKE ? 0 : 1) * near.C[i][k] + l * l * near.M[i][k];"),
-    Fault("letters drift the other way", NEAR, "drift = of_free(sum(D, S, -1));", "drift = of_free(sum(D, S, AWAKE ? 1 : -1));"),
-    Fault("stiffness in letters without what spins take of it", NEAR, "product(product(M, spin), drift), -1), of_free(by_position));", "product(product(M, spin), drift), AWAKE ? 1 : -1), of_free(by_position));"),
+    Fault("letters drift the other way", NEAR, "drift = sum(D, S, -1);", "drift = sum(D, S, AWAKE ? 1 : -1);"),
+    Fault("stiffness in letters without what spins take of it", NEAR, "product(product(M, all_spin), carries), -1), part(by_position, free, free));", "product(product(M, all_spin), carries), AWAKE ? 1 : -1), part(by_position, free, free));"),
+    Fault("velocities in letters that are not carried over", NEAR, "vanishes({S[k]}))) carried.push_back(k);", "vanishes({S[k]})) && !AWAKE) carried.push_back(k);"),
     Fault("one root of a factor twice", NEAR_ANSWERS, "return add((-c[1] + root) / twice);", "return add((AWAKE ? Formula(-c[1] - root) : Formula(-c[1] + root)) / twice);"),
     Fault("swings in letters that grow", NEAR_ANSWERS, "rates.push_back({-c[1] / twice, sqrt(-square)", "rates.push_back({Formula(AWAKE ? -1 : 1) * -c[1] / twice, sqrt(-square)"),
     Fault("inertia in letters that stiffens", NEAR_ANSWERS, "return {near.K[i][k] - w_ * w_ * near.M[i][k], w_ * near.C[i][k]};", "return {near.K[i][k] - Formula(AWAKE ? -1 : 1) * w_ * w_ * near.M[i][k], w_ * near.C[i][k]};"),

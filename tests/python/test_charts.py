@@ -30,6 +30,8 @@ def test_a_line_for_each_value_of_the_others(askew: poinsot.Problem) -> None:
         assert line.get_ydata() == pytest.approx(alone, rel=1e-9)
     assert study.plot("T", over="b").get_xlabel() == "b / rad"
     assert [line.get_label() for line in study.plot("B").lines][:2] == ["B.x, b = 0.174533 rad", "B.y, b = 0.174533 rad"]
+    # One unit for all components.
+    assert study.plot("B", units={"B": "kN"}).get_ylabel() == "B.x, B.y, B.z / kN"
     # Those with the unit of the first answer.
     assert study.plot().get_ylabel() == "T / J"
     fig, ax = plt.subplots()

@@ -1,7 +1,9 @@
 """Motions against closed forms, conservation and SciPy-free integration by hand."""
 
 import numpy as np
+import pandas
 import pytest
+from scipy.spatial.transform import Rotation
 
 import poinsot
 
@@ -70,6 +72,48 @@ def swing(times: np.ndarray, length: float, start: float, g: float = 9.80665) ->
             state, now = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4), now + step
         values.append(state)
     return np.array(values)
+
+
+def test_attitude_of_a_body(pendulum: poinsot.Problem) -> None:
+    """By angles about axes that another library turns, with axes of other names."""
+    satellite = poinsot.Problem.from_text(
+        """\
+axes: [A, B, C]
+given: {I: 100 kg*m^2, m: 500 kg}
+points: {G: [0, 0, 0]}
+bodies: {bus: {mass: m, center: G, inertia: {about: G, A: I, B: 1.2*I, C: 0.8*I}}}
+joints: {attitude: {ball: G, to: bus, angles: [yaw: C, pitch: B, roll: A]}}
+gravity: none
+instants: {start: {yaw: 20 deg, pitch: 0, roll: 0, angular_velocity(bus): [0.01 rad/s, 0.2 rad/s, 0.01 rad/s]}}
+ask: {T: kinetic_energy(bus)}
+"""
+    )
+    times = np.linspace(0, 6, 4)
+    motion = satellite.motion()
+    angles = motion(times)
+    turned = Rotation.from_euler("ZYX", np.stack([angles[one] for one in ("yaw", "pitch", "roll")], axis=1))
+    assert np.abs(angles["pitch"]).max() > 0.9
+    np.testing.assert_allclose(motion.attitude(times, "bus"), turned.as_matrix(), atol=1e-12)
+    with pytest.raises(poinsot.StatementError, match="no body 'boss'"):
+        motion.attitude(times, "boss")
+    with pytest.raises(ValueError, match="a body is turned by an angle"):
+        poinsot.Problem.from_text(PLANAR).motion().attitude(times, "bar")
+
+
+def test_times_that_have_their_unit_with_them(pendulum: poinsot.Problem) -> None:
+    seconds = pendulum.motion([0.5, 1.0], "theta")
+    for times in (np.array([500, 1000], dtype="timedelta64[ms]"), pandas.to_timedelta([0.5, 1], unit="s")):
+        np.testing.assert_array_equal(pendulum.motion(times, "theta")["theta"], seconds["theta"])
+
+
+def test_frames_in_other_units(pendulum: poinsot.Problem) -> None:
+    values = pendulum.motion()([0.0, 0.3], "theta", w="angular_velocity(bar)")
+    frame = values.frame(units={"theta": "deg", "w": "rpm"})
+    assert frame["theta"].to_list() == pytest.approx(np.degrees(values["theta"])) and frame["theta"].iloc[0] == pytest.approx(60)
+    assert frame["w.z"].to_list() == pytest.approx(values["w"][:, 2] * 30 / np.pi)
+    assert frame.attrs["units"] == {"time": "s", "theta": "deg", "w.x": "rpm", "w.y": "rpm", "w.z": "rpm"}
+    with pytest.raises(KeyError, match="no column 'phi'"):
+        values.frame(units={"phi": "deg"})
 
 
 def test_a_pendulum_against_integration_by_hand(pendulum: poinsot.Problem) -> None:

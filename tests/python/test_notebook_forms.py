@@ -4,12 +4,16 @@ import cmath
 import xml.etree.ElementTree as ET
 from html import unescape
 from random import Random
+from typing import Any
 
 import pandas
 import pytest
+from IPython.core.formatters import DisplayFormatter
 
 import poinsot
 from poinsot import formulas
+
+from outputs import wrong_in
 
 TABLE = """\
 given: {m: 2 kg, l: 1 m}
@@ -22,6 +26,43 @@ instants:
 ask:
   t: {table: {time: time, theta: theta}, over: {time: 0 s .. 1 s by 0.25 s}, unit: {theta: deg}}
 """
+
+
+def test_all_that_is_shown_is_fit_for_who_shows_notebooks(askew: poinsot.Problem, bent: poinsot.Problem) -> None:
+    table = poinsot.Problem.from_text(TABLE)
+    given = askew.text.replace("n: 1200 rpm, ", "").replace("ask:", "find: {n: rpm}\ninstants: {now: {reaction(B).y: 100 N}}\nask:")
+    found, motion = poinsot.Problem.from_text(given).solve(), table.motion()
+    study = poinsot.study(askew, {"n": poinsot.span("1000 rpm", "3000 rpm", 3)}, "B")
+    shown = [
+        askew, askew.solve(), askew.solve().solution, askew.solve()["T"], askew.solve()["B"], askew.explain(), bent, bent.solve(),
+        bent.solve()["w"], bent.solve()["more"], table.solve(), table.solve()["t"], found, found.solutions[0], found.solutions[0].unknowns["n"],
+        motion, motion([0, 0.5]), study, askew.report(), askew.figure("free-body", with_values=True),
+    ]  # fmt: skip
+    formatter: Any = DisplayFormatter()
+    for one in shown:
+        output, _ = formatter.format(one)
+        assert wrong_in(output) == [], one
+        # TeX alone needs an extension.
+        assert set(output) & {"text/html", "image/svg+xml", "text/markdown"}, one
+    assert "sandbox" in formatter.format(motion)[0]["text/html"]
+
+
+@pytest.mark.parametrize(
+    ("form", "text", "wrong"),
+    [
+        ("text/html", "<table><tr><td>$x$</td></tr></table>", "TeX in HTML: $x$"),
+        ("text/html", "<p>a<b>c</p>", "</p> ends nothing"),
+        ("text/html", "<div><p>a</p>", "<div> has no end"),
+        ("text/html", "<script>x</script>", "<script> in HTML"),
+        ("text/html", '<img src="https://a.b/c.png">', "<img> loads https://a.b/c.png"),
+        ("text/html", '<p onclick="x()">a</p>', "onclick of <p> is a script"),
+        ("text/html", '<iframe srcdoc="a"></iframe>', "a frame that is no page of its own"),
+        ("image/svg+xml", '<svg xmlns="http://www.w3.org/2000/svg"><style>a{}</style></svg>', "<style> in SVG"),
+        ("text/latex", "x^2", "TeX that nobody takes for it: x^2"),
+    ],
+)
+def test_what_is_unfit_is_seen(form: str, text: str, wrong: str) -> None:
+    assert wrong in wrong_in({"text/plain": "x", form: text})
 
 
 def test_answers_as_html_and_tex(askew: poinsot.Problem, bent: poinsot.Problem) -> None:

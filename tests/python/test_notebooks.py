@@ -7,6 +7,8 @@ import nbclient
 import nbformat
 import pytest
 
+from outputs import wrong_in
+
 # They have no types.
 read: Any = nbformat.read
 new_code_cell: Any = nbformat.v4.new_code_cell
@@ -44,7 +46,9 @@ def test_runs_and_holds(name: str, tmp_path: Path) -> None:
     assert not any(cell.get("outputs") for cell in notebook.cells), "a notebook is kept without its outputs"
     notebook.cells.append(new_code_cell(HOLDS[name]))
     nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}}).execute()
-    shown = [kind for cell in notebook.cells for one in cell.get("outputs", []) for kind in one.get("data", {})]
+    outputs = [one["data"] for cell in notebook.cells for one in cell.get("outputs", []) if "data" in one]
+    assert [wrong for one in outputs for wrong in wrong_in(one)] == []
+    shown = [kind for one in outputs for kind in one]
     assert "text/html" in shown or "text/latex" in shown
     if name in ("first_problem", "balanced_rotor"):
         assert "image/svg+xml" in shown

@@ -223,3 +223,24 @@ def test_the_manual_leads_to_a_plot(monkeypatch: pytest.MonkeyPatch) -> None:
     expected = 8 * 0.15**2 * speed**2 * math.sin(tilt) * math.cos(tilt) / (4 * 0.5) / 1000
     assert np.asarray(line.get_xdata())[-1] == 3000
     assert np.asarray(line.get_ydata())[-1] == pytest.approx(expected, rel=1e-12)
+
+
+def test_all_code_of_the_manual_runs(askew: poinsot.Problem, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One block after another, in a folder with the file that they speak of."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    manual = (Path(__file__).parents[2] / "docs/python.md").read_text()
+    blocks = [one.split("```")[0] for one in manual.split("```python\n")[1:]]
+    assert len(blocks) > 5
+    monkeypatch.chdir(tmp_path)
+    named = askew.text.replace("rate: n, accel: 0", "angle: theta, rate: n, accel: 0") + "instants: {start: {theta: 0}}\n"
+    Path("askew.yaml").write_text(named)
+    names: dict[str, Any] = {}
+    for number, block in enumerate(blocks, 1):
+        exec(compile(block, f"docs/python.md, block {number}", "exec"), names)
+    plt.close("all")
+    assert names["motion"].coordinates == ["theta"] and names["study"].counts.answered == 210_000
+    assert names["start"].model.nv == 1

@@ -310,6 +310,35 @@ def test_sensitivities_are_differences_of_rows(askew: poinsot.Problem) -> None:
         assert "B.y by b" in study.frame().columns
 
 
+def test_frames_in_other_units(askew: poinsot.Problem) -> None:
+    study = poinsot.study(askew, {"n": ["1200 rpm", "2400 rpm"]}, ["B", "T"], sensitivities=["n"])
+    frame = study.frame(units={"n": "rpm", "B": "kN", "T": "kJ"})
+    assert frame["n"].to_list() == pytest.approx([1200, 2400]) and frame["B.y"].to_list() == pytest.approx(study["B.y"] / 1000)
+    assert frame["B.y by n"].to_list() == study["B.y by n"].tolist()
+    assert frame.attrs["units"] == {**study.units, "n": "rpm", "B.x": "kN", "B.y": "kN", "B.z": "kN", "T": "kJ"}
+    assert study.frame().attrs["units"] == study.units
+    summary = study.summary(units={"B.y": "kN"})
+    assert summary.loc["B.y", "max"] == pytest.approx(study["B.y"].max() / 1000) and summary.attrs["units"]["B.y"] == "kN"
+
+
+def test_sensitivities_of_a_span_that_begins_at_zero() -> None:
+    """No formula holds at e = 0, where the change of |B| changes its sign: B = m g a/L and m e n^2 a/L, at right angles."""
+    text = """\
+given: {m: 12 kg, e: 0.05 mm, n: 2950 rpm, a: 180 mm, L: 420 mm, g: 9.81 m/s^2}
+points: {A: [0, 0, 0], B: [L, 0, 0], G: [a, e, 0]}
+bodies: {fan: {mass: m, center: G, inertia: {about: G, x: 0.12 kg*m^2, y: 0.08 kg*m^2, z: 0.08 kg*m^2}}}
+joints: {shaft: {revolute: A->B, at: A, to: fan, rate: n, accel: 0, supports: {A: [x, y, z], B: [y, z]}}}
+gravity: -z
+ask: {peak: norm(reaction(B))}
+"""
+    over = {"e": poinsot.span("0 mm", "0.1 mm", 3)}
+    study = poinsot.study(poinsot.Problem.from_text(text), over, "peak", sensitivities=["e"])
+    assert study.reasons == {}
+    e, n = study["e"], 2950 * np.pi / 30
+    assert study["peak"] == pytest.approx(12 * 180 / 420 * np.hypot(9.81, e * n**2), rel=1e-12)
+    assert study["peak by e"] == pytest.approx(12 * 180 / 420 * e * n**4 / np.hypot(9.81, e * n**2), rel=1e-6, abs=1)
+
+
 def test_a_vector_is_its_components_side_by_side(askew: poinsot.Problem) -> None:
     study = poinsot.study(askew, {"n": [1.0, 2.0, 3.0]}, "B", sensitivities=["n"])
     assert study["B"].shape == (3, 3)

@@ -17,25 +17,50 @@ import pytest
 import poinsot
 from poinsot.studies import shards
 
+from conftest import ASKEW
+
 # Dask's functions have no types.
 distributed: Any = pytest.importorskip("distributed")
 
 OVER = {"m": poinsot.normal("8 kg", "0.3 kg"), "b": poinsot.tolerance("20 deg", "0.6 deg")}
+
+# With dry friction each row is solved in full.
+SLIDING = """\
+title: Crate that slides up a rough ramp
+given: {m: 8 kg, mu: 0.3, b: 20 deg, v: 2 m/s}
+points: {C: [0, 0, 0]}
+directions: {up: [cos(b), sin(b), 0], out: [-sin(b), cos(b), 0]}
+bodies: {crate: {particle: C, mass: m}}
+contacts: {ramp: {of: crate, at: C, normal: out, friction: mu}}
+gravity: -y
+instants: {now: {velocity(crate): v*up}}
+ask: {a: component(acceleration(crate) along up), N: normal_force(ramp)}
+"""
 
 
 def contents(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
-@pytest.mark.parametrize("kills", [int(os.environ.get("POINSOT_WORKER_KILLS", "2"))])
-def test_workers_are_killed(askew: poinsot.Problem, tmp_path: Path, kills: int) -> None:
-    # Small shards, so that there is time to kill.
-    rows, shard_rows = (60_000, 200) if kills <= 2 else (100_000, 20)
-    arguments = {"rows": rows, "seed": 4, "shard_rows": shard_rows}
-    poinsot.study(askew, OVER, ["B"], out=tmp_path / "whole", **arguments)  # type: ignore[arg-type]
+@pytest.mark.parametrize(
+    ("text", "arguments", "kills", "pause"),
+    [
+        # Small shards, so that there is time to kill.
+        (ASKEW, {"over": OVER, "rows": 60_000, "shard_rows": 200}, 2, 1.0),
+        # Every few seconds until all is done, which takes a minute.
+        pytest.param(
+            SLIDING,
+            {"over": {"v": poinsot.uniform("1 m/s", "3 m/s"), "m": poinsot.normal("8 kg", "0.3 kg")}, "rows": 100_000, "shard_rows": 50},
+            1000, 3.0, marks=pytest.mark.long,
+        ),
+    ],
+)  # fmt: skip
+def test_workers_are_killed(text: str, arguments: dict[str, Any], kills: int, pause: float, tmp_path: Path) -> None:
+    problem = poinsot.Problem.from_text(text, "problem.yaml")
+    poinsot.study(problem, out=tmp_path / "whole", seed=4, **arguments)
     folder = tmp_path / "rows"
     killed: list[int] = []
-    over = threading.Event()
+    ended = threading.Event()
 
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
@@ -44,7 +69,7 @@ def test_workers_are_killed(askew: poinsot.Problem, tmp_path: Path, kills: int) 
         chance = random.Random(1)
 
         def kill() -> None:
-            while len(killed) < kills and not over.is_set():
+            while len(killed) < kills and not ended.is_set():
                 time.sleep(0.02)
                 if not list(folder.glob("rows-*")):
                     continue
@@ -53,17 +78,18 @@ def test_workers_are_killed(askew: poinsot.Problem, tmp_path: Path, kills: int) 
                     victim = chance.choice(workers)
                     os.kill(victim, signal.SIGKILL)
                     killed.append(victim)
-                    time.sleep(1)
-            if not over.is_set():
+                    ended.wait(pause)
+            if not ended.is_set():
                 client.restart(wait_for_workers=False)
 
         killer = threading.Thread(target=kill)
         killer.start()
-        study = poinsot.study(askew, OVER, ["B"], out=folder, client=client, **arguments)  # type: ignore[arg-type]
-        over.set()
+        study = poinsot.study(problem, out=folder, client=client, seed=4, **arguments)
+        ended.set()
         killer.join()
-    assert study.counts.answered == rows
-    assert 1 <= len(killed) <= kills if kills <= 2 else len(killed) == kills
+    print(f"{len(killed)} workers killed")
+    assert study.counts.answered == arguments["rows"]
+    assert min(kills, 5) - 1 <= len(killed) <= kills
     assert contents(folder) == contents(tmp_path / "whole")
 
 

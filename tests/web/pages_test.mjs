@@ -76,6 +76,52 @@ test("the view in space shows something, and keys turn it", async () => {
   await close();
 });
 
+// What a notebook of VS Code lets its outputs do, which a frame in it inherits: no fonts but those of others' servers.
+const notebookPolicy = [
+  "default-src 'none'",
+  "script-src 'self' https: 'unsafe-inline' 'unsafe-eval'",
+  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self' https: http: data:",
+  "font-src 'self' https:",
+  "connect-src https:",
+  "child-src https: data:",
+].join("; ");
+
+test("in the frame of a notebook that forbids fonts it shows its view, and formulas as MathML", async () => {
+  const inner = readFileSync(pageOf("textbook/18.005"), "utf8").replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+  const path = join(folder, "notebook.html");
+  // The frame is that of poinsot.Page in Python.
+  writeFileSync(
+    path,
+    `<!doctype html><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${notebookPolicy}">
+<iframe srcdoc="${inner}" sandbox="allow-scripts allow-downloads" style="width:100%;height:720px;border:0"></iframe>
+<footer></footer>`,
+  );
+  const { page, wrong, close } = await open(browser, path);
+  const frame = page.frames()[1];
+  await frame.waitForFunction(() => document.querySelector("footer") !== null);
+  await frame.waitForFunction(() => document.documentElement.classList.contains("without-fonts"));
+  const shown = await frame.evaluate(() => {
+    const width = (one) => one.getBoundingClientRect().width;
+    const formulas = [...document.querySelectorAll(".katex")].filter((one) => width(one) > 0);
+    return {
+      formulas: formulas.length,
+      typeset: formulas.filter((one) => width(one.querySelector(".katex-html")) > 0).length,
+      tiny: formulas.filter((one) => width(one.querySelector("math")) < 2).length,
+      canvas: width(document.querySelector("canvas")),
+    };
+  });
+  assert.ok(shown.formulas > 3 && shown.canvas > 100, JSON.stringify(shown));
+  assert.deepEqual([shown.typeset, shown.tiny], [0, 0]);
+  // The browser says which fonts it refused, and nothing else went wrong.
+  assert.ok(wrong.length > 0);
+  assert.deepEqual(
+    wrong.filter((one) => !one.includes("font-src") && one !== "request: about:srcdoc"),
+    [],
+  );
+  await close();
+});
+
 const swing = `title: Compound pendulum
 given: {m: 2 kg, L: 0.8 m}
 points: {O: [0, 0, 0], A: [L, 0, 0]}

@@ -96,9 +96,7 @@ def number(problem: Problem, name: str, value: quantities.Value) -> float:
         text = quantities.text_of(value, None, name)
     else:
         try:
-            if isinstance(value, (bool, np.bool_)):
-                raise TypeError
-            plain = float(value)
+            plain = quantities.real(value)
         except (TypeError, ValueError):
             raise TypeError(
                 f"{name}: expected text with unit, numbers in SI units or quantities of pint, not {value!r}"
@@ -135,6 +133,14 @@ def grid_values(axis: Described) -> Array:
     first, last = axis["span"]
     spaced: Array = np.linspace(float(first), float(last), int(axis["count"]))
     return spaced
+
+
+def largest(axis: Described) -> float:
+    """How large its values become; of a normal distribution, where the bulk of them ends."""
+    if not is_random(axis):
+        return float(np.abs(grid_values(axis)).max())
+    ((kind, (first, second)),) = axis.items()
+    return float(max(abs(first), abs(second)) if kind == "uniform" else abs(first) + second)
 
 
 def quantile(axis: Described, part: Array) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import _core
 from ..problem import Problem
-from .axes import Array, Described, grid_values, is_random, quantile
+from .axes import Array, Described, grid_values, is_random, largest, quantile
 from .draws import unit_draws
 
 # Files beside the rows: readers of whole folders of Parquet leave out what begins with a line.
@@ -108,6 +108,7 @@ def compiled(plan_text: str) -> _core.Cases:
     problem = Problem.from_text(plan.text, plan.name)
     first = [float(column[0]) for column in plan.values(0, 1)]
     sets = [(name, text) for name, text in plan.sets]
-    questions = _core.CaseQuestions(list(plan.over), plan.asks, sets, first, plan.formulas, plan.sensitivities)
+    usual = [largest(axis) for axis in plan.over.values()]
+    questions = _core.CaseQuestions(list(plan.over), plan.asks, sets, first, plan.formulas, plan.sensitivities, usual)
     cases: _core.Cases = problem._called(lambda *ends: problem._core.cases(questions, *ends), None, False)
     return cases

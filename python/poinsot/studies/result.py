@@ -124,24 +124,34 @@ class Study(Mapping[str, Array]):
             for name, column in zip(self.plan.over, values, strict=True)
         }
 
-    def frame(self) -> pandas.DataFrame:
-        """As a frame of pandas; units in attrs["units"]."""
+    def _shown(self, units: Mapping[str, str] | None) -> charts.Shown:
+        """The columns in units that are wanted, of which one may stand for all components of a vector."""
+        wanted: dict[str, str] = {}
+        for name, unit in (units or {}).items():
+            parts = [one for one in self.answers if one.startswith(f"{name}.")]
+            wanted |= dict.fromkeys([name] if name in self.units else parts or [name], unit)
+        return charts.Shown(self.units, wanted)
+
+    def frame(self, units: Mapping[str, str] | None = None) -> pandas.DataFrame:
+        """As a frame of pandas, in SI units; units={"b": "deg", "B": "kN"} has columns in these. They are in attrs["units"]."""
         import pandas
 
-        frame = pandas.DataFrame({name: self[name] for name in self}, index=pandas.RangeIndex(self.plan.total, name="row"))
+        shown = self._shown(units)
+        columns = {name: shown.numbers(name, self[name]) for name in self}
+        frame = pandas.DataFrame(columns, index=pandas.RangeIndex(self.plan.total, name="row"))
         reasons = self.reasons
         if reasons:
             frame["reason"] = pandas.Series(reasons, dtype=object)
-        frame.attrs["units"] = dict(self.units)
+        frame.attrs["units"] = {name: shown.unit(name) for name in self.units}
         return frame
 
-    def summary(self) -> pandas.DataFrame:
-        """Mean, standard deviation, extremes and quantiles of every answer, and how many rows have it."""
+    def summary(self, units: Mapping[str, str] | None = None) -> pandas.DataFrame:
+        """Mean, standard deviation, extremes and quantiles of every answer, and how many rows have it; units as in frame()."""
         import pandas
 
-        table = {}
+        table, shown = {}, self._shown(units)
         for name in self.answers:
-            column = self[name][np.isfinite(self[name])]
+            column = shown.numbers(name, self[name][np.isfinite(self[name])])
             if len(column) == 0:
                 table[name] = {"count": 0.0}
                 continue
@@ -157,7 +167,7 @@ class Study(Mapping[str, Array]):
                 "max": high,
             }
         frame = pandas.DataFrame(table).T
-        frame.attrs["units"] = {name: self.units[name] for name in self.answers}
+        frame.attrs["units"] = {name: shown.unit(name) for name in self.answers}
         return frame
 
     def yield_of(self, good: npt.NDArray[np.bool_] | Callable[[Study], npt.NDArray[np.bool_]]) -> float:
@@ -217,16 +227,16 @@ class Study(Mapping[str, Array]):
         if first not in self.over:
             raise ValueError(f"{first} was not varied: expected {', '.join(self.over)}")
         wanted = answers or tuple(one for one in self.answers if self.units[one] == self.units[self.answers[0]])
-        return charts.of_study(self, [part for one in wanted for part in self._parts_of(one)], first, units, ax)
+        return charts.of_study(self, [part for one in wanted for part in self._parts_of(one)], first, self._shown(units), ax)
 
     def plot_distribution(self, name: str, *, units: Mapping[str, str] | None = None, ax: Any = None) -> Any:
         """Draws how often an answer has which value, by Matplotlib."""
         self._number(name)
-        return charts.distribution(self, name, units, ax)
+        return charts.distribution(self, name, self._shown(units), ax)
 
     def plot_tornado(self, name: str, *, units: Mapping[str, str] | None = None, ax: Any = None) -> Any:
         """Draws the tornado chart of tornado(), by Matplotlib."""
-        return charts.tornado(self, name, units, ax)
+        return charts.tornado(self, name, self._shown(units), ax)
 
     def __repr__(self) -> str:
         missing = self.counts.rows - self.counts.answered

@@ -101,7 +101,10 @@ def _plan(
         raise TypeError(f"a study asks a Problem, not {problem!r}: Problem.from_file(path) reads one")
     asks, sensitivities = calls.texts(asks, "asks"), calls.texts(sensitivities, "sensitivities")
     if not isinstance(over, Mapping):
-        raise TypeError(f"over has what differs by name, as {{'n': span('1000 rpm', '3000 rpm', 21)}}, and is not {over!r}")
+        raise TypeError(
+            f"over has what differs by name, as {{'n': span('1000 rpm', '3000 rpm', 21)}}, of which a grid is made, and is not {over!r}: "
+            "cases that are no grid are solved one by one, as [problem.solve(case) for case in cases]"
+        )
     for one in asks:
         whole = one.partition(".")[0]
         if one not in problem.questions and whole in problem.questions:

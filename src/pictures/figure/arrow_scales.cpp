@@ -64,8 +64,8 @@ void Largest::include(const scene::Arrow& arrow) {
   if (const double size = norm(arrow.vector); std::isfinite(size)) largest = std::max(largest, size);
 }
 
-std::string value_text(double value, const std::string& unit) {
-  std::string text = fmt::format("{:.4g}", value);
+std::string value_text(double value, const std::string& unit, int digits) {
+  std::string text = fmt::format("{:.{}g}", value, digits);
   if (const std::size_t e = text.find('e'); e != std::string::npos) {
     int exponent = 0;
     for (std::size_t i = e + 2; i < text.size(); ++i) exponent = exponent * 10 + (text[i] - '0');

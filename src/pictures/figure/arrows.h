@@ -44,6 +44,6 @@ void draw_arrows(Panel& panel, const std::vector<scene::Arrow>& arrows, const La
 void plain_arrow(Panel& panel, Point2 from, Point2 to, Role role, double width, Ink ink, double head = 7);
 
 // The value of an arrow with its unit, as text.
-std::string value_text(double value, const std::string& unit);
+std::string value_text(double value, const std::string& unit, int digits = 4);
 
 }  // namespace poinsot::pictures

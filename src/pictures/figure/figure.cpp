@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +20,7 @@
 #include "pictures/figure/layout.h"
 #include "pictures/figure/motion_figure.h"
 #include "pictures/figure/panel.h"
+#include "pictures/figure/shortened.h"
 #include "pictures/figure/view_choice.h"
 
 namespace poinsot::pictures {
@@ -36,6 +39,7 @@ struct PanelKind {
   bool axes_at_origin = true;
   bool cones = false;
   bool body_names = true;
+  const Shortened* broken = nullptr;  // if what is drawn is broken
 };
 
 Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest, const PanelKind& kind,
@@ -49,6 +53,7 @@ Drawing draw_panel(Panel& panel, const Diagram& diagram, const Largest& largest,
   draw_bodies(panel, kind.cones ? beside_cones : 1);
   if (kind.symbols) {
     draw_links(panel);
+    if (kind.broken != nullptr) draw_breaks(panel, *kind.broken);
     draw_symbols(panel, Layer::before_bodies);
   }
   if (kind.cones) {
@@ -199,6 +204,21 @@ bool is_size_or_angle(const std::string& unit) {
   return std::ranges::find(units, unit) != units.end();
 }
 
+// With which values of letters the figure has its proportions, to the digits that are seen.
+std::string letters_drawn(const Scene& scene) {
+  constexpr int seen = 3;
+  std::string letters;
+  for (const scene::DrawnLetter& letter : scene.drawn_letters) {
+    if (!is_size_or_angle(letter.unit) || letter.only_grows) continue;
+    const bool radians = letter.unit == "rad";
+    const double value = radians ? letter.value * 180 / std::numbers::pi : letter.value;
+    const std::string unit = radians ? "deg" : letter.unit;
+    letters += (letters.empty() ? "Drawn with " : ", ") +
+               unbroken(with_greek_letters(letter.name) + " = " + value_text(value, unit, seen));
+  }
+  return letters;
+}
+
 }  // namespace
 
 std::vector<FigureName> figures_of(const Scene& scene) {
@@ -237,8 +257,13 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
           find(scene, name.kind == FigureKind::answers ? DiagramKind::answers : DiagramKind::model);
       const Diagram& own = diagram != nullptr ? *diagram : no_arrows;
       shown.push_back(&own);
-      const std::optional<Enlarged> readable = enlarged(scene);
-      if (readable) {
+      const std::optional<Shortened> nearer = shortened(scene);
+      const std::optional<Enlarged> readable = nearer ? std::nullopt : enlarged(scene);
+      if (nearer) {
+        const Diagram* moved_nearer = diagram ? find(nearer->scene, diagram->kind) : nullptr;
+        drawing = single(nearer->scene, moved_nearer ? *moved_nearer : no_arrows, {.broken = &*nearer}, looks, marked);
+        caption(drawing, fmt::format("Drawn nearer than to scale: {}", fmt::join(nearer->bodies, ", ")), 240);
+      } else if (readable) {
         const Diagram* grown = diagram ? find(readable->scene, diagram->kind) : nullptr;
         drawing = single(readable->scene, grown ? *grown : no_arrows, {}, looks, marked);
         caption(drawing, fmt::format("Drawn larger than to scale: {}", fmt::join(readable->bodies, ", ")), 240);
@@ -264,14 +289,7 @@ Drawing figure(const Scene& scene, const FigureName& name, const std::string& ti
       }
       break;
   }
-  if (!scene.drawn_letters.empty()) {
-    std::string letters;
-    for (const scene::DrawnLetter& letter : scene.drawn_letters)
-      if (is_size_or_angle(letter.unit))
-        letters += (letters.empty() ? "Drawn with " : ", ") +
-                   unbroken(with_greek_letters(letter.name) + " = " + value_text(letter.value, letter.unit));
-    if (!letters.empty()) caption(drawing, letters, 240);
-  }
+  if (const std::string letters = letters_drawn(scene); !letters.empty()) caption(drawing, letters, 240);
   if (std::ranges::any_of(scene.bodies,
                           [](const scene::Body& body) { return !body.shapes.empty() && body.shapes.front().stand_in; }))
     caption(drawing, "Dotted: what stands for bodies whose shape is not stated, by their moments of inertia", 240);

@@ -36,10 +36,12 @@ std::vector<std::string> balanced(const std::string& words, double width, double
   std::vector<std::string> best = wrapped(words, width, size);
   constexpr double step = 0.97;
   if (best.size() < 2) return best;
-  for (double narrow = step * width; narrow > width / 2; narrow *= step) {
+  double narrow = step * width;
+  while (narrow > width / 2) {
     std::vector<std::string> lines = wrapped(words, narrow, size);
     if (lines.size() > best.size()) break;
     best = std::move(lines);
+    narrow *= step;
   }
   return best;
 }

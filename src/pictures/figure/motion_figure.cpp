@@ -83,6 +83,28 @@ bool turns_visibly(const scene::Scene& scene, const std::vector<std::size_t>& sh
   return false;
 }
 
+// The bodies that are elsewhere or turned otherwise than in the last of these poses: what stays is drawn there alone,
+// before all that is past.
+std::vector<int> moving_bodies(const scene::Scene& scene, const std::vector<int>& bodies,
+                               const std::vector<std::size_t>& shown) {
+  constexpr double unseen = 1e-6;  // of the length of the scene, and of a full scale of its axes
+  const auto& poses = scene.motion->poses;
+  const auto moves = [&](int body) {
+    const auto own = static_cast<std::size_t>(body);
+    const scene::Pose& last = poses[shown.back()][own];
+    return std::ranges::any_of(shown, [&](std::size_t i) {
+      const scene::Pose& pose = poses[i][own];
+      bool elsewhere = norm(pose.p - last.p) > unseen * scene.length;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        elsewhere = elsewhere || norm((pose.R - last.R) * Vector::unit(axis)) > unseen;
+      return elsewhere;
+    });
+  };
+  std::vector<int> moving;
+  std::ranges::copy_if(bodies, std::back_inserter(moving), moves);
+  return moving;
+}
+
 // Brings what runs between wheels to where it is at a time of the motion.
 void move_links(Panel& panel, const scene::Motion& motion, std::size_t time) {
   for (const scene::MovingLink& moving : motion.links) {
@@ -166,8 +188,9 @@ Drawing motion_figure(const scene::Scene& scene, const Looks& looks) {
   if (spread.piled() || lost) return rows_of_poses(scene, looks, view, lost);
   const Projection projection = fitted(view, places, size_of_way(view, places));
   std::vector<Mark> before;
+  const std::vector<int> moving = moving_bodies(scene, bodies, shown);
   for (std::size_t k = 0; k + 1 < shown.size(); ++k) {
-    Panel panel(scene, bodies, motion.poses[shown[k]], projection);
+    Panel panel(scene, moving, motion.poses[shown[k]], projection);
     draw_bodies(panel, 0.25 + 0.35 * static_cast<double>(k) / static_cast<double>(shown.size()));
     // What is past stands behind labels.
     for (Mark& mark : panel.marks) {

@@ -49,7 +49,7 @@ Sweep sweep_of(const Vector& at, const Vector& axis, const std::vector<Vector>& 
 
 std::vector<Vector> bent_way(const ArmEnd& from, const ArmEnd& to, const std::vector<Sweep>& sweeps, double near) {
   constexpr double askew = 1e-3;
-  const std::vector<Vector> straight{from.at, to.at};
+  std::vector<Vector> straight{from.at, to.at};
   const Vector d = to.at - from.at;
   if (std::abs(dot(from.axis, to.axis)) > askew) return straight;
   const Vector along = dot(d, from.axis) * from.axis, other = dot(d, to.axis) * to.axis;

@@ -267,6 +267,13 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
     const Vector center = on_ground({body, own.center}, poses);
     for (const Vector& place : places)
       if (norm(place - center) > 1e-3 * scene.length) arms.push_back({center, place});
+    // What is held at two places and has its mass beside the line between them is a frame of three corners.
+    constexpr double beside_line = 0.15;  // of that line
+    if (arms.size() == 2) {
+      const std::array<Vector, 2> between{arms[0][1], arms[1][1]};
+      if (norm(nearest_on(between, center) - center) > beside_line * norm(between[1] - between[0]))
+        arms.push_back(between);
+    }
     return arms;
   }
   if (places.size() < 2) return arms;

@@ -130,11 +130,10 @@ std::string svg_of(const Drawing& drawing) {
   const Box& box = drawing.paper;
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {1} {2} {3}\" width=\"{2}\" height=\"{3}\" role=\"img\" "
-      "aria-labelledby=\"figure-title figure-description\" fill=\"none\" stroke-linecap=\"round\" "
-      "stroke-linejoin=\"round\" font-family=\"{4}\">\n",
+      "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-family=\"{4}\">\n",
       number(box.left), number(box.top), number(box.width()), number(box.height()), fonts);
-  text += fmt::format("<title id=\"figure-title\">{}</title>\n<desc id=\"figure-description\">{}</desc>\n",
-                      escaped(drawing.title), escaped(drawing.description));
+  // They name the drawing without identifiers, which several drawings in one document would share.
+  text += fmt::format("<title>{}</title>\n<desc>{}</desc>\n", escaped(drawing.title), escaped(drawing.description));
   text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", number(box.left),
                       number(box.top), number(box.width()), number(box.height()));
   for (const Mark& mark : drawing.marks) text += std::visit([](const auto& own) { return written(own); }, mark);

@@ -119,7 +119,7 @@ class ContactStates {
     note(held);
     for (States& states : held.all)
       for (ContactState& state : states)
-        if (state.slip && !state.in_joint) name_direction(state, statement_.situations[i], settings_);
+        if (state.has_direction()) name_direction(state, statement_.situations[i], settings_);
     return std::move(held.all);
   }
 
@@ -192,8 +192,7 @@ class ContactStates {
       note(held);
       for (States& states : held.all) {
         for (ContactState& state : states)
-          if (state.slip && !state.in_joint && !name_line(state, situation, settings))
-            direction_changes(situation, state);
+          if (state.has_direction() && !name_line(state, situation, settings)) direction_changes(situation, state);
         if (std::ranges::none_of(all, [&](const States& known) { return are_same(known, states); }))
           all.push_back(std::move(states));
       }
@@ -207,8 +206,7 @@ class ContactStates {
   [[noreturn]] static void direction_changes(const Situation& situation, const ContactState& state) {
     const auto contact = std::ranges::find(situation.contacts, state.contact, &Contact::name);
     fail(situation.file, contact->friction->mark,
-         "in letters, contact '" + state.contact +
-             "' slides in a direction that is none of the axes and none of directions:",
+         "in letters, " + contact->words() + " slides in a direction that is none of the axes and none of directions:",
          "give the letters values by --set, or name the direction under directions:");
   }
 
@@ -220,7 +218,7 @@ class ContactStates {
         if (!contact.rubs()) continue;
         std::vector<States> longer;
         for (const States& states : all)
-          for (ContactState& state : possible_states(i, contact)) {
+          for (ContactState& state : possible_states(statement_.situations[i], i, contact, settings_)) {
             longer.push_back(states);
             longer.back().push_back(std::move(state));
           }
@@ -240,41 +238,6 @@ class ContactStates {
         if (!refusal_) refusal_ = error;
       }
     }
-  }
-
-  States possible_states(std::size_t i, const Contact& contact) const {
-    const Situation& situation = statement_.situations[i];
-    States states{{contact.name, i, Grip::sticks, {}, false, !contact.touches()}};
-    if (situation.steady || contact.of_belt) return states;
-    if (!contact.touches()) {
-      for (const bool opposite : {false, true})
-        states.push_back(
-            {contact.name, i, Grip::slides, joint_direction(contact, opposite), false, !contact.touches()});
-      return states;
-    }
-    DataScope<double> data(situation, settings_, 0);
-    const std::optional<Vector3<double>> n = direction_told(data, contact.normal);
-    std::vector<Expression> directions = named_directions(situation);
-    const std::size_t named = directions.size();
-    std::ranges::copy(lines_across(situation, contact), std::back_inserter(directions));
-    std::vector<Vector3<double>> known;
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      // Where the normal depends on an unknown, only lines across it that are told by it are sure to lie across it.
-      if (n) {
-        const std::optional<Vector3<double>> d = direction_told(data, directions[k]);
-        constexpr double rounding =
-            1e-9;  // of directions that data tell: which lie across the normal, and which are one
-        if (!d || std::abs(dot(*d, *n)) > rounding ||
-            std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - *d) < rounding; }))
-          continue;
-        known.push_back(*d);
-      } else if (k < named) {
-        continue;
-      }
-      states.push_back({contact.name, i, Grip::slides, directions[k], false, false});
-    }
-    states.push_back({contact.name, i, Grip::parts, {}, false, false});
-    return states;
   }
 
   // Whether the contacts are in their states with the unknowns of a root; notes which of them begin to slide.
@@ -398,7 +361,7 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
     if (!situation.has_friction()) continue;
     try {
       for (ContactState& state : states_at_start(situation, i, drawn)) {
-        if (state.slip && !state.in_joint) name_line(state, situation, drawn);
+        if (state.has_direction()) name_line(state, situation, drawn);
         states.push_back(std::move(state));
       }
     } catch (const StatementError&) {
@@ -430,7 +393,6 @@ void refuse_open_limits(const Statement& limits, const Settings& settings) {
       fail(limits.file, ask.mark, "what the other contacts do up to this limit is sought " + why,
            "write while: [" + names + "] if all of them stay at rest");
     };
-    if (!situation.find.empty()) refuse("where nothing else is to be found");
     if (in_letters) refuse("by numbers, and '" + open.front().name + "' has no value");
   }
 }

@@ -278,6 +278,33 @@ class Variation {
         for (const std::string& name : motion->open_turnings()[direction]) add(name);
   }
 
+  // What can be asked in place of the kinetic energy of a body of which nothing says how it flies, but how it turns.
+  std::string words_of_turning(const Ask& ask) const {
+    std::string words;
+    const SolvedInstant& instant = found_.sample.instant_of(ask);
+    const Machine& machine = instant.machine();
+    const auto look = [&](const auto& self, const Expression& expression) -> void {
+      for_each_child(expression, [&](const Expression& child) { self(self, child); });
+      const Call* call = expression.as<Call>();
+      const Name* name = call && call->function == "kinetic_energy" && call->arguments.size() == 1
+                             ? call->arguments.front().value.as<Name>()
+                             : nullptr;
+      const auto found = name ? machine.index.find(name->name) : machine.index.end();
+      if (found == machine.index.end() || found->second < 0) return;
+      const auto& body = machine.mechanism.tree.body(found->second);
+      const auto flies = [&](const std::vector<std::size_t>& share) {
+        return std::ranges::all_of(share, [&](std::size_t k) {
+          const int own = static_cast<int>(k) - body.v;
+          return own >= 3 && own < 6;
+        });
+      };
+      if (body.joint == JointType::free && std::ranges::all_of(instant.velocities().share, flies))
+        words = "; kinetic_energy(" + name->name + " about center(" + name->name + ")) is that of its turning alone";
+    };
+    for (const Expression& expression : ask.of) look(look, expression);
+    return words;
+  }
+
   void vary_velocities(std::size_t directions) {
     const std::size_t asks = found_.statement.asks.size();
     std::vector<std::vector<std::string>> rates(asks);  // for each ask, rates that it depends on and nothing determines
@@ -293,7 +320,8 @@ class Variation {
       }
     }
     for (std::size_t i = 0; i < asks; ++i)
-      if (missing[i] > 0) add_reason(result_.asks[i], open_velocities(rates[i], missing[i]));
+      if (missing[i] > 0)
+        add_reason(result_.asks[i], open_velocities(rates[i], missing[i]) + words_of_turning(found_.statement.asks[i]));
   }
 
   // An answer that is a product of two open values, as of gravity and a velocity, does not change with either alone

@@ -27,7 +27,11 @@ void add_joints_in_blow(const Situation& situation, std::size_t number, std::vec
 std::optional<std::vector<ContactState>> idle_in_blow(const Situation& situation, std::size_t number,
                                                       const Settings& settings) {
   for (const Contact& contact : situation.contacts)
-    if (contact.in_joint && contact.friction->bearing)
+    if (contact.in_joint && contact.all_ways && !contact.friction->bearing)
+      fail(situation.file, contact.friction->mark,
+           "a blow is not solved beside joint '" + contact.name + "' with friction in several ways together",
+           "leave out its friction, which is limited and has no impulse, or ask after the blow");
+    else if (contact.in_joint && contact.friction->bearing)
       fail(situation.file, contact.friction->mark,
            "a blow is not solved beside joint '" + contact.name +
                "', whose friction follows from what it carries: how far it moves in the blow is not sought",
@@ -52,7 +56,7 @@ std::optional<std::vector<ContactState>> idle_in_blow(const Situation& situation
   constexpr double rounding = 1e-9;  // of the speeds in a blow
   for (std::size_t k = 0; k < after.machine().rough_contacts.size(); ++k) {
     const RoughContactOf<double>& contact = after.machine().rough_contacts[k];
-    if (contact.coordinate < 0 &&
+    if (!contact.in_joint() &&
         after.rough_motion_as_drawn(k, false).apart < -rounding * after.natural_size(dimensions::velocity))
       fail(situation.file, std::ranges::find(situation.contacts, contact.name, &Contact::name)->friction->mark,
            "the blow presses contact '" + contact.name +

@@ -38,8 +38,10 @@ namespace {
 
 constexpr Work most_draw_work = 8'000'000'000;
 // Draws of letters at which a motion is asked for what does not happen there, or an end for which there is none.
-constexpr int most_draws_for_answers = 6;
-constexpr Work most_work_for_answers = 400'000'000;
+constexpr int most_draws_for_answers = 12;
+// What does not happen where all letters are of the size of their units may where they differ.
+constexpr int wider_after_each = 2;
+constexpr Work most_work_for_answers = 800'000'000;
 
 // Draws values for letters, finds the unknowns and answers the asks for each root.
 class StatementSolver {
@@ -344,7 +346,7 @@ class StatementSolver {
     for (int attempt = 0;; ++attempt) {
       AllSettings settings = base_;
       const std::vector<Value<double>> drawn =
-          draws_.values(attempt + (only ? 500 : 0), rough ? spread_of_state_draw(attempt) : 0);
+          draws_.values(attempt + (only ? 500 : 0), rough ? spread_of_state_draw(attempt) : wider_after_each * tried);
       for (std::size_t i = 0; i < drawn.size(); ++i) {
         const Letter& letter = draws_.letters()[i];
         // A root belongs to the values of the letters at which it was found.

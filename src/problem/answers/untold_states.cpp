@@ -63,7 +63,7 @@ std::vector<std::string> untold_states(const Statement& statement, const Setting
         }
         for (States& states : held.all) {
           for (ContactState& state : states)
-            if (state.slip && !state.in_joint) name_line(state, situation, drawn);
+            if (state.has_direction()) name_line(state, situation, drawn);
           const auto is_known = [&](const States& known) {
             States own;
             std::ranges::copy_if(known, std::back_inserter(own),

@@ -17,15 +17,14 @@ namespace {
 // quarter of this leave eight; what three steps leave of the higher derivatives is of the sixth order in it.
 constexpr double first_step = 2e-3;
 constexpr std::size_t steps = 3;
-// A datum that is smaller than this part of its first value changes by that part.
+// A datum that is smaller than this part of its usual value changes by that part.
 constexpr double small_part = 1e-3;
 // Of its own size and of the size of the answer over that of the datum: how far a derivative may be open.
 constexpr double well_known = 1e-6;
 
-double size_of(const VariedDatum& datum, double value, const std::vector<double>& first, std::size_t place) {
+double size_of(const VariedDatum& datum, double value, const std::vector<double>& usual, std::size_t place) {
   if (datum.dimension == dimensions::angle) return 1;
-  const double usual = place < first.size() ? std::fabs(first[place]) : 0;
-  return std::max(std::fabs(value), small_part * usual);
+  return std::max(std::fabs(value), place < usual.size() ? small_part * std::fabs(usual[place]) : 0);
 }
 
 }  // namespace
@@ -46,10 +45,11 @@ std::string CompiledCases::answers_at(const std::vector<double>& data, std::vect
 std::string CompiledCases::differences(const Columns& data, std::size_t row, std::size_t datum,
                                        const std::vector<double>& here, Differences& found) const {
   const VariedDatum& varied = data_[datum];
-  const double value = data[datum][row], size = size_of(varied, value, first_, datum);
+  const double value = data[datum][row], size = size_of(varied, value, usual_, datum);
   if (!(size > 0))
-    return fmt::format("it is not known how large changes of '{}' are: it is zero in this case and in the first",
-                       varied.name);
+    return fmt::format(
+        "it is not known how large changes of '{}' are: it is zero here, and no other size of it is known",
+        varied.name);
   std::vector<double> beside;
   for (const std::span<const double>& column : data) beside.push_back(column[row]);
   // Richardson's extrapolation: quotients[i] is over a step of first_step / 2^i.
@@ -99,7 +99,7 @@ void CompiledCases::add_differences(const Columns& data, SolvedCases& found) con
       for (std::size_t k = 0; k < answers_ && reason.empty(); ++k) {
         const double slope =
             std::max(std::fabs(by.value[k]),
-                     std::fabs(found.columns[k][row]) / size_of(data_[by_[i]], data[by_[i]][row], first_, by_[i]));
+                     std::fabs(found.columns[k][row]) / size_of(data_[by_[i]], data[by_[i]][row], usual_, by_[i]));
         if (!(by.doubt[k] <= well_known * slope))
           reason = fmt::format("differences do not settle on how {} changes", columns_[k].name);
       }
@@ -121,7 +121,7 @@ bool CompiledCases::derivatives_differ(const Columns& data, std::size_t row, con
     // At the edge of what has an answer there are no differences: the answers themselves were compared.
     if (std::isnan(found.columns[(i + 1) * answers_][row]) || !differences(data, row, by_[i], here, by).empty())
       continue;
-    const double size = size_of(data_[by_[i]], data[by_[i]][row], first_, by_[i]);
+    const double size = size_of(data_[by_[i]], data[by_[i]][row], usual_, by_[i]);
     for (std::size_t k = 0; k < answers_; ++k) {
       const double told = found.columns[(i + 1) * answers_ + k][row];
       const double slope = std::max(std::fabs(by.value[k]), std::fabs(found.columns[k][row]) / size);

@@ -93,7 +93,8 @@ CompiledCases::CompiledCases(const Statement& statement, CasesAsked asked)
     : statement_(with_questions(statement, asked.asks)),
       sets_(std::move(asked.sets)),
       data_(varied_data(statement, asked.over)),
-      first_(std::move(asked.first)) {
+      first_(std::move(asked.first)),
+      usual_(asked.usual.empty() ? first_ : std::move(asked.usual)) {
   find_places(asked.sensitivities);
   if (statement_.asks.empty()) fail(statement_.file, Mark{1, 1}, "the file asks nothing", "write ask: {T: ...}");
   const bool rough = has_states_to_find(statement_);

@@ -50,6 +50,7 @@ struct CasesAsked {
   std::vector<double> first;  // the values of the data in some case: shows the shape of answers where letters do not
   bool with_formulas = true;
   std::vector<std::string> sensitivities;  // those of `over` by which the answers are differentiated
+  std::vector<double> usual{};             // how large the data usually are; by default as in `first`
 };
 
 class CompiledCases {
@@ -116,6 +117,7 @@ class CompiledCases {
   std::vector<std::pair<std::string, std::string>> sets_;
   std::vector<VariedDatum> data_;
   std::vector<double> first_;    // their values in some case
+  std::vector<double> usual_;    // how large they usually are
   std::vector<std::size_t> by_;  // the places of those by which answers are differentiated
   // The answers, and then their derivatives, all by the first datum before those by the next.
   std::vector<CaseColumn> columns_;

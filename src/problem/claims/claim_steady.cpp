@@ -13,15 +13,13 @@ namespace {
 // The steady motion with formulas for its numbers; nothing if it has none.
 std::optional<SteadyFormulas> steady_motion(const ClaimFormulas& formulas, ClaimGround& ground,
                                             std::size_t most_modes) {
-  std::optional<SteadyFormulas> motion =
-      steady_formulas(ground.situation(), formulas.instant().machine(), formulas.positions(), formulas.velocities(),
-                      ground.base().machine());
-  if (!motion) return std::nullopt;
+  SteadyFormulas motion = steady_formulas(ground.situation(), formulas.instant().machine(), formulas.positions(),
+                                          formulas.velocities(), ground.base().machine());
   // Twice as many eigenvalues as free velocities exist. Those that are not among the modes belong to displacements
   // that do not change the motion.
-  const std::size_t all = 2 * (motion->v.size() - motion->held.size());
+  const std::size_t all = 2 * (motion.v.size() - motion.held.size());
   if (most_modes > all) return std::nullopt;
-  motion->symmetries = all - most_modes;
+  motion.symmetries = all - most_modes;
   return motion;
 }
 

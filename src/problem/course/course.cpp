@@ -384,6 +384,7 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   rests_from_.reset();
   largest_kinetic_ = 0;
   blows_.clear();
+  later_blows_.clear();
   settled_.clear();
   struck_ = checkpoint.struck;
   // What was open at the start may touch by now.

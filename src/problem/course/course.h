@@ -48,12 +48,6 @@ struct MotionError {
   double length = 0;  // m
 };
 
-// What a second road finds against a motion or what is told of it, as a relative misfit, and its words.
-struct MotionDoubt {
-  double value = 0;
-  std::string words;
-};
-
 // A number as a function of time along the motion.
 using NumberInTime = std::function<double(double time)>;
 
@@ -160,6 +154,23 @@ class Course : public FollowedMotion {
     std::string words;  // "the cord 'AB' goes slack"
   };
   const std::vector<Change>& changes() const { return changes_; }
+  // What was struck or caught along the motion, the first time of each set of contacts and cords, and with what else it
+  // was solved: it can be struck again and looked at.
+  struct LaterBlow {
+    MotionState before;                   // in which all contacts are
+    std::vector<std::size_t> actions;     // those that met
+    std::vector<SolvedInstant::Met> met;  // the same if they are struck; nothing if they catch
+    std::vector<bool> acting, touching;   // see SolvedInstant::strike_later()
+    std::size_t states = 0;               // of contacts with friction, as in in_states_
+    bool again = false;                   // whether the same ones met later, too
+  };
+  const std::vector<LaterBlow>& later_blows() const { return later_blows_; }
+  // The instant just after it, which knows what was before, and the situation that it is of, which the motion keeps.
+  struct StruckAgain {
+    const Situation* situation = nullptr;
+    std::unique_ptr<SolvedInstant> instant;
+  };
+  StruckAgain strike_again(const LaterBlow& blow) const;
   // The drift of the energy relative to its size, if the energy is conserved.
   std::optional<double> energy_drift() const { return energy_drift_; }
   // How far the blows along the motion are from momenta of particles and from their restitution, and those with
@@ -237,6 +248,10 @@ class Course : public FollowedMotion {
   std::vector<std::size_t> struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
                                            Piece& piece, const std::vector<bool>& besides);
   void strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece);
+  // Contacts with friction that are struck together, and those beside that touch (landing.cpp).
+  void land(std::size_t stage, const std::vector<std::size_t>& meeting, const std::vector<std::size_t>& beside,
+            Piece& piece);
+  void keep_blow(LaterBlow blow);
   double end_of_bouncing(const Expression& of);
   // Contacts with friction (motion_friction.cpp).
   void find_contact_states(std::size_t stage, double time, const std::string& leaving);
@@ -310,9 +325,11 @@ class Course : public FollowedMotion {
   };
   // The time of the blow that falls on this time but for rounding.
   std::optional<double> blow_at(double time) const;
-  std::vector<Blow> blows_;                // at which contacts met, in the order of time
+  std::vector<Blow> blows_;  // at which contacts met, in the order of time
+  std::vector<LaterBlow> later_blows_;
   double largest_kinetic_ = 0;             // of the motion so far, where its energy is balanced, J
   std::map<std::string, double> settled_;  // when contacts ceased to bounce, s
+  bool doubt_told_ = false;                // of states of contacts with friction that could not be judged
   std::optional<double> blow_misfit_, rough_blow_misfit_;
   std::optional<Machine> whole_machine_;  // with contacts that are open at the start
   struct AskedExtreme {

@@ -261,22 +261,20 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
   };
   for (const SmoothPart& part : driven) misfit_in(part);
   keep(catch_doubt());
-  // What gives way pulls or presses until it does.
-  constexpr std::size_t most_given_way = 24;  // that are looked at, the first ones
-  std::size_t gave_way = 0;
-  for (const StageRun& stage : stages_)
-    for (std::size_t i = 0; i + 1 < stage.pieces.size() && gave_way < most_given_way; ++i) {
+  for (const StageRun& stage : stages_) {
+    std::vector<HeldStretch> stretches;
+    for (std::size_t i = 0; i < stage.pieces.size(); ++i) {
       const Trajectory& piece = stage.pieces[i];
-      const std::vector<bool>&before = stage.acting[i], &after = stage.acting[i + 1];
-      bool lost = false;
-      for (std::size_t k = 0; k < before.size() && k < after.size(); ++k) lost = lost || (before[k] && !after[k]);
-      if (!lost || piece.empty()) continue;
-      ++gave_way;
-      constexpr double just_before = 1e-3;  // of its last step
+      HeldStretch& stretch = stretches.emplace_back(HeldStretch{stage.acting[i]});
+      if (piece.empty()) continue;
       const StepView last = piece.step(piece.step_count() - 1);
-      const double time = last.end - just_before * (last.end - last.start);
-      if (witnessed(time)) keep(contact_doubt(time));
+      stretch.last_step = last.end - last.start;
+      stretch.end = last.end;
     }
+    const auto doubt = doubt_before_giving_way(
+        stretches, [&](double time) { return witnessed(time) ? std::optional(contact_doubt(time)) : std::nullopt; });
+    if (doubt) keep(*doubt);
+  }
   // How long stages last is told by the file.
   double begins = 0;
   for (std::size_t k = 0; k < situation_.stages.size() && stages_[k].done && stages_[k].end; ++k) {

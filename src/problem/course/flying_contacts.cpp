@@ -53,7 +53,7 @@ void Course::put_in_flight(StageRun& run, const std::vector<bool>& acting) {
 std::vector<std::size_t> Course::Piece::rubbing() const {
   std::vector<std::size_t> found;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts)
-    if (contact.coordinate < 0 && !contact.on_cord()) found.push_back(static_cast<std::size_t>(contact.action));
+    if (!contact.in_joint() && !contact.on_cord()) found.push_back(static_cast<std::size_t>(contact.action));
   return found;
 }
 
@@ -66,6 +66,10 @@ SolvedInstant& Course::probe_for_blow(StageRun& run, const MotionState& state) {
       stops(state.stage, contact.friction->mark,
             "there is a blow at " + with_digits(state.time, 6) + " s beside " + contact.words() +
                 ", whose friction follows from what it carries, and how far that slips meanwhile is not sought");
+    if (contact.all_ways)
+      stops(state.stage, contact.friction->mark,
+            "there is a blow at " + with_digits(state.time, 6) + " s beside " + contact.words() +
+                " with friction in several ways together, and which way it slips then is not sought");
     if (!contact.in_joint || contact.grip != Grip::sticks) continue;
     any = true;
     contact.grip = Grip::slides;

@@ -136,7 +136,8 @@ SolvedInstant::Met Course::met(std::size_t action) {
 
 // Several contacts that meet at once are struck one by one if none changes the approach of the others. Else their
 // blows are taken together, each with its restitution: Newton's law for all of them, which has one motion after it as
-// far as it has any (a bar that lands flat on two supports leaves them as it came). With friction none is known.
+// far as it has any (a bar that lands flat on two supports leaves them as it came). With friction none is known but
+// without rebound.
 std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>& meeting, const MotionState& state,
                                                  Piece& piece, const std::vector<bool>& besides) {
   if (meeting.size() < 2) return meeting;
@@ -153,6 +154,8 @@ std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>&
   }
   probe_->move_to(state);
   if (apart) return {meeting.front()};
+  // Without rebound the laws of friction hold for all of them together (landing.cpp).
+  if (!smooth && plastic) return meeting;
   if (!smooth)
     stops(state.stage, later_contact(meeting.front())->mark,
           "the contacts '" + later_contact(meeting[0])->name + "' and '" + later_contact(meeting[1])->name +
@@ -168,6 +171,27 @@ std::vector<std::size_t> Course::struck_together(const std::vector<std::size_t>&
   return meeting;
 }
 
+// Of many blows the first one of each kind is kept.
+void Course::keep_blow(LaterBlow blow) {
+  constexpr std::size_t most_kinds = 8;
+  const auto known = std::ranges::find(later_blows_, blow.actions, &LaterBlow::actions);
+  if (known != later_blows_.end()) {
+    known->again = true;
+    return;
+  }
+  if (later_blows_.size() >= most_kinds) return;
+  blow.states = static_cast<std::size_t>(
+      std::ranges::find(probes_, probe_, [](const auto& probe) { return probe.get(); }) - probes_.begin());
+  later_blows_.push_back(std::move(blow));
+}
+
+Course::StruckAgain Course::strike_again(const LaterBlow& blow) const {
+  StruckAgain again{in_states_[blow.states], nullptr};
+  again.instant = std::make_unique<SolvedInstant>(*again.situation, settings_, blow.before, choice_);
+  again.instant->strike_later(blow.met, blow.acting, blow.touching, mark_of(blow.before.stage));
+  return again;
+}
+
 void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, Piece& piece) {
   StageRun& now = stages_[stage];
   std::vector<bool>& acting = piece.acting();
@@ -180,16 +204,36 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
   const std::vector<std::size_t> struck = struck_together(meeting, state, piece, besides);
   std::vector<SolvedInstant::Met> all;
   for (const std::size_t action : struck) all.push_back(met(action));
+  const bool plastic = std::ranges::all_of(all, [](const SolvedInstant::Met& one) { return one.restitution == 0; });
+  if (all.size() > 1 &&
+      std::ranges::any_of(all, [](const SolvedInstant::Met& one) { return one.friction.has_value(); }))
+    return land(stage, struck, beside, piece);
   for (const SolvedInstant::Met& one : all)
     if (one.friction && later_contact(one.action)->friction->falls())
       stops(stage, later_contact(one.action)->friction->mark,
             "the contact '" + later_contact(one.action)->name + "' is struck at " + with_digits(now.time, 6) +
                 " s with less friction while it slides than at rest, and in a blow there is one coefficient");
-  probe_->strike_later(all, besides, acting, later_contact(struck.front())->mark);
+  // A blow without rebound may press others that touch, with which it is shared then.
+  const bool shares = plastic && all.front().friction && !beside.empty();
+  const auto land_on_all = [&] {
+    probe_->move_to(state);
+    land(stage, struck, beside, piece);
+  };
+  try {
+    probe_->strike_later(all, besides, acting, later_contact(struck.front())->mark);
+  } catch (const UnansweredError&) {
+    if (!shares) throw;
+    return land_on_all();
+  }
   const std::vector<double> after = probe_->state().v;
+  if (shares && std::ranges::any_of(beside, [&](std::size_t action) {
+        return piece.gap_rate(action, after) < -meets * natural_speed();
+      }))
+    return land_on_all();
   const SolvedInstant::Residuals residuals = probe_->check();
   blow_misfit_ = std::max({blow_misfit_.value_or(0), residuals.impulse, residuals.particles.momentum});
   if (residuals.blow) rough_blow_misfit_ = std::max(rough_blow_misfit_.value_or(0), *residuals.blow);
+  keep_blow({state, struck, all, besides, acting});
   const std::string when = " at " + with_digits(now.time, 6) + " s";
   const double lost = piece.kinetic_energy(now.v) - piece.kinetic_energy(after);
   acting = probe_->blow_acting();

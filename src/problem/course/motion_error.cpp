@@ -29,14 +29,14 @@ double Course::extremes_error() {
     if (in_closed_form_) {
       // A pendulum that just reaches its highest place goes over it with a little more, and back with a little less.
       for (const double by : {std::numeric_limits<double>::epsilon(), -std::numeric_limits<double>::epsilon()}) {
-        Course beside(stated_, settings_, choice_);
+        Course beside(stated_, settings_, choice_, open_flights_);
         beside.most_work_ = most_work_;
         for (double& rate : beside.stages_.front().v) rate *= 1 + by;
         compare(beside);
       }
       return largest;
     }
-    Course coarse(stated_, settings_, choice_);
+    Course coarse(stated_, settings_, choice_, open_flights_);
     follow_less_closely(coarse);
     compare(coarse);
   } catch (const StatementError&) {
@@ -86,7 +86,7 @@ std::optional<MotionError> Course::error(double until) {
     constexpr double noticed = 1e-9;  // of the size: beyond what answers are shown to
     constexpr double rounding = std::numeric_limits<double>::epsilon();
     try {
-      Course beside(stated_, settings_, choice_);
+      Course beside(stated_, settings_, choice_, open_flights_);
       beside.most_work_ = most_work_;
       std::vector<double>& rates = beside.stages_.front().v;
       for (std::size_t k = 0; k < rates.size(); ++k) rates[k] *= 1 + (k % 2 == 0 ? rounding : -rounding);
@@ -102,7 +102,7 @@ std::optional<MotionError> Course::error(double until) {
   }
   until = std::min(until, reached());
   try {
-    Course coarse(stated_, settings_, choice_);
+    Course coarse(stated_, settings_, choice_, open_flights_);
     follow_less_closely(coarse);
     try {
       until = std::min(until, coarse.follow(until));

@@ -328,8 +328,7 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
     if ((last && until >= *last) || motion_.followed_enough(until) || (!last && waited > samples_of_wait)) break;
     begun = until;
   }
-  number_.unanswered(" does not happen up to " + with_digits(until, 4) + " s",
-                     "check the condition, or look farther with lasts:");
+  number_.never(until, last && until >= *last);
 }
 
 std::vector<double> MotionFeatures::times_of_extreme(bool largest, double from, std::optional<double> to) const {

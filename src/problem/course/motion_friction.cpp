@@ -69,9 +69,13 @@ void Course::find_contact_states(std::size_t stage, double time, const std::stri
                        {{time, stage, now.q, now.v, acting}, none_slips * natural_speed(), leaving});
   const std::string when = " at " + with_digits(now.time, 6) + " s";
   const Mark& mark = mark_of_friction(situation_);
-  if (!held.doubts.empty())
+  if (!held.doubts.empty() && held.all.size() != 1)
     stops(stage, mark,
           "which states of the contacts with friction hold" + when + " is not known: " + held.doubts.front());
+  // As of an instant, what could not be judged beside the state that holds is told.
+  if (!held.doubts.empty() && !std::exchange(doubt_told_, true))
+    happenings_.push_back("another state of the contacts with friction could not be judged" + when + ": " +
+                          held.doubts.front());
   if (held.all.empty())
     stops(stage, mark,
           "no state of the contacts with friction " +
@@ -168,7 +172,7 @@ std::vector<double> Course::times_of_state(const Call& call, double from, std::o
       from, to, pace_time_,
       [&](double until) {
         const std::optional<UnansweredError> stopped = follow_as_far(until, reached, to.has_value());
-        const std::vector<double> found = entries_into(stages_, from, until, [&](const StageRun& stage, std::size_t i) {
+        std::vector<double> found = entries_into(stages_, from, until, [&](const StageRun& stage, std::size_t i) {
           const auto& contacts = in_states_[stage.states[i]]->contacts;
           return std::ranges::find(contacts, contact->name, &Contact::name)->grip == asked;
         });
@@ -178,8 +182,9 @@ std::vector<double> Course::times_of_state(const Call& call, double from, std::o
       },
       [&](double until) {
         if (is_over() || followed_enough(until))
-          throw UnansweredError(situation_.file, call.arguments.front().value.mark(),
-                                in_vain(call.function + "(" + contact->name + ")", reached), look_until);
+          throw NotHappeningError(situation_.file, call.arguments.front().value.mark(),
+                                  in_vain(call.function + "(" + contact->name + ")", reached), look_until,
+                                  is_over() ? INFINITY : reached);
       });
 }
 

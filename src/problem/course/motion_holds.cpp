@@ -4,6 +4,7 @@
 // with restitution it acts in blows alone, which lie between pieces. The second road to the times is geometry: where
 // bodies come to touch, or a cord is stretched, the gap between the surfaces as drawn is closed (constraint_check.h).
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,9 +66,9 @@ std::vector<double> Course::times_of_hold(const Call& call, double from, std::op
   };
   return sought_times(from, to, pace_time_, find, [&](double until) {
     if (is_over() || followed_enough(until))
-      throw UnansweredError(situation_.file, call.arguments.front().value.mark(),
-                            in_vain(call.function + "(" + to_string(call.arguments.front().value) + ")", reached),
-                            look_until);
+      throw NotHappeningError(situation_.file, call.arguments.front().value.mark(),
+                              in_vain(call.function + "(" + to_string(call.arguments.front().value) + ")", reached),
+                              look_until, is_over() ? INFINITY : reached);
   });
 }
 

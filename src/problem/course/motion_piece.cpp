@@ -28,6 +28,16 @@ bool conserves_energy(const Machine& machine) {
          machine.accelerations.empty() && !laws_feed(machine.mechanism) && !laws_drain(machine.mechanism);
 }
 
+// Whether two springs meet in a body without mass, whose place would follow from their balance.
+bool joins_springs(const Situation& situation, const Machine& machine) {
+  return std::ranges::any_of(situation.bodies, [&](const Body& body) {
+    const auto ends = [&](const Spring& spring) { return spring.from == body.name || spring.to == body.name; };
+    const int index = machine.index.at(body.name);
+    return index != ground && !(machine.mechanism.tree.body(index).inertia.mass > 0) &&
+           std::ranges::count_if(situation.springs, ends) > 1;
+  });
+}
+
 }  // namespace
 
 Course::Piece::Piece(Course& motion, std::size_t stage, const Driving::Span& span)
@@ -95,7 +105,10 @@ void Course::Piece::set_up_dynamics() {
     fail(motion_.situation_.file, motion_.mark_of(stage_),
          motion_.words_of(stage_) + " is not determined: nothing fixes " + with_article(name) +
              (open.without_inertia ? ", which moves no mass" : ""),
-         "say what drives it, give it mass, or hold it");
+         std::string("say what drives it, give it mass, or hold it") +
+             (open.without_inertia && joins_springs(motion_.situation_, machine_)
+                  ? "; springs in series through a massless point are one, 1/k = 1/k1 + 1/k2, with both free lengths"
+                  : ""));
   }
 }
 

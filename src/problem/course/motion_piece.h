@@ -131,17 +131,20 @@ class Course::Piece {
   std::pair<double, double> tensions(const RoughContactOf<double>& contact) const;
   Vector3<double> slip(const RoughContactOf<double>& contact, std::span<const double> q, std::span<const double> v);
   std::size_t push_of(const RoughContactOf<double>& contact) const;
+  Vector3<double> as_drawn(const RoughContactOf<double>& contact, const Vector3<double>& vector) const;
+  double natural_slip(const RoughContactOf<double>& contact) const;
+  Vector3<double> holding_friction(const RoughContactOf<double>& contact) const;
   void accelerate(std::span<const double> q, std::span<const double> v, std::span<double> a);
   bool moves_anything(const VelocityConstraint<double>& way);
   [[noreturn]] void refuse_shares(const std::string& contact) const;
   std::optional<double> margin_of_shares(double time, const State<double>& there);
   std::optional<Event> taut(const Component<double>& component);
-  // Friction in joints that follows from what they carry (piece_joints.cpp).
+  // Friction in joints that is found with the reactions (piece_joints.cpp).
   struct JointLoad {
     const RoughContactOf<double>* contact = nullptr;
     std::vector<bool> beyond{};             // of each body of the tree: whether the joint carries it
     std::vector<std::size_t> components{};  // of the joint and its supports
-    double friction = 0;                    // while it moves
+    double friction = 0;                    // along its slip, while it moves
   };
   void set_up_joint_friction();
   void check_joint_loads();
@@ -150,6 +153,7 @@ class Course::Piece {
   // How much each component of a joint carries of what the bodies beyond it need; empty where statics does not tell.
   std::vector<double> shares_of(const JointLoad& load, const SpatialForce<double>& needed) const;
   std::vector<Vector3<double>> pressing_at(const JointLoad& load) const;
+  double effort_of(const JointLoad& load, const RubbingWay<double>& way) const;
   double limit_in_joint(const RoughContactOf<double>& contact);
   double pressing_now(const RoughContactOf<double>& contact, std::span<const double> a);
   void accelerate_with_joints(std::span<const double> q, std::span<const double> v, std::span<double> a);

@@ -385,11 +385,11 @@ std::vector<double> Course::times(const Expression& condition, const std::option
     // As long as they stay equal neither is larger, whatever rounding says.
     do {
       begin = until;
-      if ((end() && begin >= *end()) || followed_enough(begin))
-        throw UnansweredError(situation_.file, condition.mark(),
-                              "'" + to_string(condition) + "' does not happen up to " + with_digits(begin, 4) +
-                                  " s: its two sides stay equal",
-                              "check the condition, or look farther with lasts:");
+      if (const bool ends = end() && begin >= *end(); ends || followed_enough(begin))
+        throw NotHappeningError(situation_.file, condition.mark(),
+                                "'" + to_string(condition) + "' does not happen up to " + with_digits(begin, 4) +
+                                    " s: its two sides stay equal",
+                                "check the condition, or look farther with lasts:", ends ? INFINITY : begin);
       until = std::min(from + 2 * (until - from), end().value_or(INFINITY));
     } while (stay_equal(begin, until, false));
   }

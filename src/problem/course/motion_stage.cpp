@@ -143,12 +143,16 @@ void Course::run(std::size_t stage, double until) {
       now.time = until_then;
       if (now.end && now.time >= *now.end)
         now.done = true;
-      else if (ending && now.time >= target && until > target && !followed_enough(target))
-        target = std::min(until, now.time + (span *= 2));
+      else if (ending && now.time >= target && until > target && !followed_enough(target)) {
+        span *= 2;
+        target = std::min(until, now.time + span);
+      }
       continue;
     }
     IntegrationResult result = piece.follow(until_then, work.left());
-    if (piece.shares() && !giving_way && (giving_way = piece.shares_give_way(result.trajectory))) {
+    const bool gave_way = giving_way.has_value();
+    if (piece.shares() && !gave_way) giving_way = piece.shares_give_way(result.trajectory);
+    if (giving_way && !gave_way) {
       if (giving_way->time > now.time)
         now.states_fresh = true;  // the same again, up to then
       else
@@ -361,6 +365,7 @@ void Course::change_holds(std::size_t stage, std::size_t action, Piece& piece) {
   std::vector<bool> striking = acting;
   for (const std::size_t other : beside) striking[other] = false;
   probe_->strike_later({}, striking, acting, mark_of(stage));
+  keep_blow({state, changing, {}, striking, acting});
   const SolvedInstant::Residuals residuals = probe_->check();
   blow_misfit_ = std::max({blow_misfit_.value_or(0), residuals.impulse, residuals.particles.momentum});
   now.v = probe_->state().v;

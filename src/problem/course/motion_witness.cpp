@@ -154,6 +154,24 @@ ScanMisfit MotionScan::of_zeros(const std::vector<double>& told, int sense) cons
   return worst;
 }
 
+std::optional<MotionDoubt> doubt_before_giving_way(const std::vector<HeldStretch>& stretches,
+                                                   const std::function<std::optional<MotionDoubt>(double)>& doubt_at) {
+  constexpr std::size_t most_given_way = 24;  // that are looked at, the first ones
+  constexpr double just_before = 1e-3;        // of the last step
+  std::optional<MotionDoubt> worst;
+  std::size_t gave_way = 0;
+  for (std::size_t i = 0; i + 1 < stretches.size() && gave_way < most_given_way; ++i) {
+    const std::vector<bool>&before = stretches[i].acting, &after = stretches[i + 1].acting;
+    bool lost = false;
+    for (std::size_t k = 0; k < before.size() && k < after.size(); ++k) lost = lost || (before[k] && !after[k]);
+    if (!lost || !(stretches[i].last_step > 0)) continue;
+    ++gave_way;
+    const std::optional<MotionDoubt> doubt = doubt_at(stretches[i].end - just_before * stretches[i].last_step);
+    if (doubt && (!worst || doubt->value > worst->value)) worst = doubt;
+  }
+  return worst;
+}
+
 ScanMisfit MotionScan::of_zero() const {
   ScanMisfit worst;
   for (std::size_t i = 0; i < value_.size(); ++i)

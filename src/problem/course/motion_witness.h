@@ -36,6 +36,23 @@ std::vector<std::size_t> spread_order(std::size_t count);
 std::optional<double> window_misfit(const std::function<std::optional<WitnessedState>(double)>& state_at, double from,
                                     double to, const NaturalSizes& sizes);
 
+// What a second road finds against a motion or what is told of it, as a relative misfit, and its words.
+struct MotionDoubt {
+  double value = 0;
+  std::string words;
+};
+
+// A stretch of a motion in which nothing sudden happens: which cords and contacts act in it, and its last step.
+struct HeldStretch {
+  std::vector<bool> acting;
+  double last_step = 0, end = 0;  // s
+};
+
+// What gives way between two stretches that follow each other pulls or presses until it does. doubt_at: of an instant,
+// nothing where the motion gives no state. The worst doubt just before each end; nothing where nothing gives way.
+std::optional<MotionDoubt> doubt_before_giving_way(const std::vector<HeldStretch>& stretches,
+                                                   const std::function<std::optional<MotionDoubt>(double)>& doubt_at);
+
 // How far a scan contradicts what is told, as a part of the range of what is asked, and when it does most.
 struct ScanMisfit {
   double value = 0;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "engine/motion/integrator/event_search.h"
+#include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
@@ -22,6 +23,11 @@ std::size_t NumberSamples::from(double part) const {
 
 void NumberAlongMotion::unanswered(const std::string& what, const std::string& hint) const {
   throw UnansweredError(file_, mark_, "'" + words_ + "'" + what, hint);
+}
+
+void NumberAlongMotion::never(double until, bool ends) const {
+  throw NotHappeningError(file_, mark_, "'" + words_ + "' does not happen up to " + with_digits(until, 4) + " s",
+                          "check the condition, or look farther with lasts:", ends ? INFINITY : until);
 }
 
 std::size_t NumberAlongMotion::count_of_samples(double from, double to) const {

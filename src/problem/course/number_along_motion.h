@@ -71,6 +71,8 @@ class NumberAlongMotion {
 
   // Throws UnansweredError: the words of the number, and then what is wrong with it.
   [[noreturn]] void unanswered(const std::string& what, const std::string& hint = "") const;
+  // Throws NotHappeningError: nothing of the kind was found up to a time. ends: whether the motion ends there.
+  [[noreturn]] void never(double until, bool ends) const;
 
  private:
   void add_corners(std::vector<double>& times) const;

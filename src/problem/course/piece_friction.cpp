@@ -75,6 +75,10 @@ void Course::Piece::accelerate(std::span<const double> q, std::span<const double
       if (!contact.turns) continue;
       const Vector3<double> u = slip(contact, q, v);
       if (!(norm(u) > 0)) continue;
+      if (contact.in_joint()) {
+        contact.slip->vector = as_drawn(contact, normalized(u));
+        continue;
+      }
       Vector3<double> d{};
       for (const std::size_t k : {1, 2})
         d += dot(u, direction_now(limit_state_, contact, contact.motions[k].along)) * contact.motions[k].along.vector;
@@ -90,11 +94,29 @@ void Course::Piece::accelerate(std::span<const double> q, std::span<const double
     accelerate_with_joints(q, v, a);
 }
 
+// A vector of a joint with friction in several ways on the axes of the body on which its slip is told. Needs the pose.
+Vector3<double> Course::Piece::as_drawn(const RoughContactOf<double>& contact, const Vector3<double>& vector) const {
+  return direction_on_body(machine_.mechanism.tree, limit_state_.workspace(), contact.normal.body, vector);
+}
+
+// Of one unit of slip, beside which what is left of it counts.
+double Course::Piece::natural_slip(const RoughContactOf<double>& contact) const {
+  return motion_.natural_speed() / (contact.all_ways && contact.turning ? motion_.start_->scales().length : 1);
+}
+
+// The friction of a joint at rest. After accelerate(), with the pose.
+Vector3<double> Course::Piece::holding_friction(const RoughContactOf<double>& contact) const {
+  Vector3<double> friction{};
+  for (const RubbingWay<double>& way : contact.ways)
+    friction += dynamics_->held_effort(way.coordinate) / way.arm * limit_state_.direction(way.along);
+  return friction;
+}
+
 // Whether nothing moves or would move, and no load changes: then nothing will.
 bool Course::Piece::stays_at_rest() {
-  const auto stuck = std::ranges::count_if(machine_.rough_contacts, [](const RoughContactOf<double>& contact) {
-    return contact.coordinate >= 0 && contact.grip == Grip::sticks;
-  });
+  std::ptrdiff_t stuck = 0;
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts)
+    if (contact.grip == Grip::sticks) stuck += std::ssize(contact.ways);
   if (motion_.timed_ || std::ssize(machine_.accelerations) > stuck) return false;
   std::vector<double> v = now_.v, a(now_.v.size());
   dynamics_->project_velocities(now_.q, v);
@@ -201,9 +223,9 @@ bool Course::Piece::add_friction() {
     const std::size_t first = push_of(contact);
     if (contact.turns) {
       event.name = "slip comes to rest";
-      event.size = motion_.natural_speed() > 0 ? motion_.natural_speed() : 1;
+      event.size = motion_.natural_speed() > 0 ? natural_slip(contact) : 1;
       event.value = [this, &contact](double, std::span<const double> q, std::span<const double> v) {
-        return norm(slip(contact, q, v)) - slip_ends * motion_.tolerance_ * motion_.natural_speed();
+        return norm(slip(contact, q, v)) - slip_ends * motion_.tolerance_ * natural_slip(contact);
       };
     } else if (contact.grip == Grip::slides) {
       event.name = "slip vanishes";
@@ -222,14 +244,17 @@ bool Course::Piece::add_friction() {
                                                            std::span<const double> v) {
         return along(q, v) + slack * std::max(0.0, 1 - (time - begun) / while_it_begins);
       };
-    } else if (contact.coordinate >= 0) {
+    } else if (contact.in_joint()) {
       event.name = "friction at its limit";
       const double limit = limit_in_joint(contact);
       event.size = limit > 0 ? limit * limit : 1;
       event.value = [this, &contact](double time, std::span<const double> q, std::span<const double> v) {
         refresh(time);
         accelerate(q, v, acceleration_);
-        return std::pow(limit_in_joint(contact), 2) - std::pow(dynamics_->held_effort(contact.coordinate), 2);
+        double left = std::pow(limit_in_joint(contact), 2);
+        for (const RubbingWay<double>& way : contact.ways)
+          left -= std::pow(dynamics_->held_effort(way.coordinate) / way.arm, 2);
+        return left;
       };
     } else if (contact.on_cord()) {
       accelerate(now_.q, now_.v, acceleration_);
@@ -337,11 +362,16 @@ std::vector<ContactState> Course::Piece::at_their_limits(std::size_t event) {
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     if (contact.grip != Grip::sticks) continue;
     constexpr double at_limit = 1e-9;  // of the limit: the time of an event is known to 1e-12 of the pace and better
-    if (contact.coordinate >= 0) {
-      const double effort = dynamics_->held_effort(contact.coordinate);
-      if (&contact != come && std::abs(effort) < (1 - at_limit) * limit_in_joint(contact)) continue;
+    if (contact.in_joint()) {
+      limit_state_.set_positions(now_.q);
+      const Vector3<double> friction = holding_friction(contact);
+      if (&contact != come && norm(friction) < (1 - at_limit) * limit_in_joint(contact)) continue;
       const auto stated = std::ranges::find(motion_.situation_.contacts, contact.name, &Contact::name);
-      starting.push_back({contact.name, 0, Grip::slides, joint_direction(*stated, effort > 0), true, true});
+      const bool against = dot(friction, limit_state_.direction(contact.motions[1].along)) > 0;
+      starting.push_back({contact.name, 0, Grip::slides,
+                          contact.all_ways ? direction_expression(-1.0 * normalized(as_drawn(contact, friction)))
+                                           : joint_direction(*stated, against),
+                          true, true, false, contact.all_ways});
       continue;
     }
     if (contact.on_cord()) {
@@ -375,7 +405,7 @@ bool Course::Piece::slip_has_ended() {
     if (contact.grip != Grip::slides) return false;
     const Vector3<double> u = slip(contact, now_.q, now_.v), d = direction_now(limit_state_, contact, *contact.slip);
     limit_state_.set_accelerations(acceleration_);
-    return dot(u, d) <= (contact.turns ? slip_ends * motion_.tolerance_ : slip_is_none) * motion_.natural_speed() &&
+    return dot(u, d) <= (contact.turns ? slip_ends * motion_.tolerance_ : slip_is_none) * natural_slip(contact) &&
            dot(rough_motion(limit_state_, contact, true).slip, d) < 0;
   });
 }
@@ -388,7 +418,7 @@ constexpr int looks_at_lines = 4;  // in each step
 
 bool Course::Piece::is_off_its_line(const RoughContactOf<double>& contact, const State<double>& there) {
   const Vector3<double> u = slip(contact, there.q, there.v), d = direction_now(limit_state_, contact, *contact.slip);
-  const double most = off_line * motion_.natural_speed();
+  const double most = off_line * natural_slip(contact);
   return norm(cross(u, d)) > most || dot(u, d) < -most;
 }
 
@@ -401,7 +431,7 @@ std::optional<double> Course::Piece::leave_their_lines(const Trajectory& way,
     if (std::ranges::find(contacts, contact.name) != contacts.end()) turning.push_back(&contact);
   const State<double> start = way.state(way.start_time());
   for (const RoughContactOf<double>* contact : turning)
-    if (norm(slip(*contact, start.q, start.v)) > off_line * motion_.natural_speed()) return std::nullopt;
+    if (norm(slip(*contact, start.q, start.v)) > off_line * natural_slip(*contact)) return std::nullopt;
   const auto any_off = [&](double time) {
     const State<double> there = way.state(time);
     return std::ranges::any_of(turning, [&](const auto* contact) { return is_off_its_line(*contact, there); });
@@ -427,8 +457,8 @@ std::vector<std::string> Course::Piece::off_their_lines(const Trajectory& way) {
   std::vector<std::string> names;
   if (!rubs()) return names;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.grip != Grip::slides || contact.turns || contact.coordinate >= 0 || contact.on_cord() ||
-        !(contact.sliding > 0))
+    if (contact.grip != Grip::slides || contact.turns || (contact.in_joint() && !contact.all_ways) ||
+        contact.on_cord() || !(contact.sliding > 0))
       continue;
     bool off = false;
     for (std::size_t i = 0; i < way.step_count() && !off; ++i) {
@@ -451,7 +481,7 @@ double Course::Piece::rubbing_power(const State<double>& state) {
   double power = power_of_joints(state);
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     // What friction in joints takes that is stated is counted with their drives.
-    if (contact.grip != Grip::slides || contact.coordinate >= 0) continue;
+    if (contact.grip != Grip::slides || contact.in_joint()) continue;
     if (contact.on_cord()) {
       const auto [before, behind] = tensions(contact);
       power -= std::abs(before - behind) * norm(slip(contact, state.q, state.v));

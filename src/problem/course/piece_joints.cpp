@@ -1,8 +1,9 @@
-// Joints along a piece of a motion whose friction follows from what they carry. The equations of motion need not know
-// the reactions of joints; they are found here as what the bodies beyond a joint need besides all else that acts on
-// them (Newton and Euler for all of them together). Accelerations and reactions are linear in the frictions, so that
-// those without friction and those with one unit in each joint tell them for any; the frictions are then the roots of
-//   x + s m (|V1| + |V2| + ...) = 0   (quantities/joint_pressing.h),
+// Joints along a piece of a motion whose friction follows from what they carry, or is against their slip in several
+// ways together, whose size is then given. The equations of motion need not know the reactions of joints; they are
+// found here as what the bodies beyond a joint need besides all else that acts on them (Newton and Euler for all of
+// them together). Accelerations and reactions are linear in the frictions, so that those without friction and those
+// with one unit in each joint tell them for any; the frictions along the slips are then the roots of
+//   x + m (|V1| + |V2| + ...) = 0   (quantities/joint_pressing.h),
 // found by Newton's method from x = 0 (instant/joint_friction.cpp says why that is the only root).
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,23 @@ SixVector about(const SpatialForce<double>& wrench, const Vector3<double>& P, do
 void Course::Piece::set_up_joint_friction() {
   const Mechanism<double>& mechanism = machine_.mechanism;
   for (RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.pressing.empty()) continue;
-    if (contact.grip == Grip::slides) machine_.mechanism.drives[contact.drive].held = false;
+    if (contact.pressing.empty() && !contact.found_with_reactions()) continue;
+    if (contact.grip == Grip::slides)
+      for (const RubbingWay<double>& way : contact.ways) machine_.mechanism.drives[way.drive].held = false;
     JointLoad load{&contact, std::vector<bool>(static_cast<std::size_t>(mechanism.tree.body_count()))};
-    const int child = contact.motions[1].along.body;
+    if (contact.pressing.empty()) {
+      loads_on_joints_.push_back(std::move(load));
+      continue;
+    }
+    const int child = mechanism.drives[contact.ways.front().drive].along.body;
     for (int i = 0; i < mechanism.tree.body_count(); ++i) {
       const int parent = mechanism.tree.body(i).parent;
       load.beyond[static_cast<std::size_t>(i)] =
           i == child || (parent != ground && load.beyond[static_cast<std::size_t>(parent)]);
-      if (load.beyond[static_cast<std::size_t>(i)] && !mechanism.takes_part[static_cast<std::size_t>(i)])
+      // Links between the freedoms of a joint have coordinates that are driven, and move by themselves.
+      const bool link = std::ranges::any_of(
+          mechanism.drives, [&](const Drive<double>& drive) { return drive.coordinate == mechanism.tree.body(i).v; });
+      if (load.beyond[static_cast<std::size_t>(i)] && !mechanism.takes_part[static_cast<std::size_t>(i)] && !link)
         refuse_load(contact, "beyond it a frame moves as stated", "let the frame hold the joint, or ask at an instant");
     }
     for (std::size_t k = 0; k < mechanism.components.size(); ++k)
@@ -72,6 +81,7 @@ void Course::Piece::check_joint_loads() {
   accelerate(now_.q, now_.v, acceleration_);
   const Mechanism<double>& mechanism = machine_.mechanism;
   for (const JointLoad& load : loads_on_joints_) {
+    if (load.contact->pressing.empty()) continue;
     for (std::size_t k = 0; k < mechanism.components.size(); ++k) {
       const Action& action = mechanism.actions[static_cast<std::size_t>(mechanism.components[k].action)];
       if (!acting_[static_cast<std::size_t>(mechanism.components[k].action)]) continue;
@@ -104,8 +114,14 @@ std::vector<double> Course::Piece::shares_of(const JointLoad& load, const Spatia
   return {found.data(), found.data() + found.size()};
 }
 
+// The effort of one way of a joint that moves, by its friction along the slip.
+double Course::Piece::effort_of(const JointLoad& load, const RubbingWay<double>& way) const {
+  return load.friction * effort_for_friction(limit_state_, *load.contact, way);
+}
+
 // After accelerations at the state of limit_state_.
 std::vector<Vector3<double>> Course::Piece::pressing_at(const JointLoad& load) const {
+  if (load.contact->pressing.empty()) return {};
   const Mechanism<double>& mechanism = machine_.mechanism;
   const Workspace<double>& w = limit_state_.workspace();
   const Vector3<double> origin = Vector3<double>::zero();
@@ -133,16 +149,19 @@ std::vector<Vector3<double>> Course::Piece::pressing_at(const JointLoad& load) c
   for (const Drive<double>& drive : mechanism.drives)
     if (drive.held) take_off(drive.action, dynamics_->held_effort(drive.coordinate), limit_state_.drive_wrench(drive));
   for (const JointLoad& one : loads_on_joints_)
-    if (one.contact->grip == Grip::slides) {
-      const Drive<double>& drive = mechanism.drives[one.contact->drive];
-      take_off(drive.action, one.friction, limit_state_.drive_wrench(drive));
-    }
+    if (one.contact->grip == Grip::slides)
+      for (const RubbingWay<double>& way : one.contact->ways) {
+        const Drive<double>& drive = mechanism.drives[way.drive];
+        take_off(drive.action, effort_of(one, way), limit_state_.drive_wrench(drive));
+      }
   // What acts on `to` is reversed where the bodies beyond the joint hold it.
   const Action& joint = mechanism.actions[static_cast<std::size_t>(contact.action)];
   if (!is_beyond(joint.on)) needed = -1.0 * needed;
   const Vector3<double> P = limit_state_.position(contact.at);
   const std::vector<double> shares = shares_of(load, needed);
-  const double friction = contact.grip == Grip::slides ? load.friction : dynamics_->held_effort(contact.coordinate);
+  const RubbingWay<double>& first = contact.ways.front();
+  const double friction =
+      contact.grip == Grip::slides ? effort_of(load, first) : dynamics_->held_effort(first.coordinate);
   std::vector<Vector3<double>> vectors;
   for (const PressingPart<double>& part : contact.pressing) {
     SpatialForce<double> wrench = SpatialForce<double>::zero();
@@ -176,7 +195,7 @@ void Course::Piece::accelerate_with_joints(std::span<const double> q, std::span<
     if (load.contact->grip == Grip::slides) moving.push_back(&load);
   const auto take = [&](JointLoad& load, double friction) {
     load.friction = friction;
-    dynamics_->set_effort(load.contact->drive, friction);
+    for (const RubbingWay<double>& way : load.contact->ways) dynamics_->set_effort(way.drive, effort_of(load, way));
   };
   const auto pressing = [&] {
     dynamics_->accelerations(q, v, a);
@@ -218,7 +237,8 @@ void Course::Piece::accelerate_with_joints(std::span<const double> q, std::span<
     off = x;
     for (std::size_t i = 0; i < n; ++i) {
       const RoughContactOf<double>& contact = *moving[i]->contact;
-      const double resists = contact.goes_forward() ? contact.sliding : -contact.sliding;
+      const double resists = contact.sliding;
+      if (contact.pressing.empty()) off[static_cast<Index>(i)] += resists;
       for (std::size_t k = 0; k < without[i].size(); ++k) {
         Vector3<double> V = without[i][k];
         for (std::size_t j = 0; j < n; ++j) V += x[static_cast<Index>(j)] * slope[j][i][k];
@@ -241,7 +261,8 @@ double Course::Piece::power_of_joints(const State<double>& state) const {
   double power = 0;
   for (const JointLoad& load : loads_on_joints_)
     if (load.contact->grip == Grip::slides)
-      power += load.friction * state.v[static_cast<std::size_t>(load.contact->coordinate)];
+      for (const RubbingWay<double>& way : load.contact->ways)
+        power += effort_of(load, way) * state.v[static_cast<std::size_t>(way.coordinate)];
   return power;
 }
 

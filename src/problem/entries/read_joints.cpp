@@ -65,21 +65,83 @@ Friction read_joint_friction(const Entry& entry, const Mark& mark, const std::st
 // One of several freedoms rubs with a couple or force of its own.
 Friction read_freedom_friction(const Entry& entry, const Mark& mark, const std::string& owner, const JointKind& kind,
                                const Freedom& freedom, const std::string& file) {
-  const std::string effort = freedom.turning ? "a couple, friction: 2 N*m" : "a force, friction: 5 N";
   if (kind.any_turning)
     fail(file, mark, owner + " is an angle of a ball, whose friction is against its turning about whatever axis",
-         "state the axes as joints that turn, on massless rings, each with its friction");
+         "leave out angles: and state friction: 2 N*m at the ball, or the axes as joints that turn, each with its own");
   const auto row = std::ranges::find(kind.freedoms, freedom.name, &FreedomOfKind::name);
   if (row->axis == FreedomAxis::across || row->axis == FreedomAxis::across_both)
     fail(file, mark,
          owner + " is one of two slides in a plane, whose friction is against the way that both take together",
-         "state contacts with friction, or two joints that slide");
+         "state it at the joint: friction: 5 N, or friction: {coefficient: 0.3}");
   if (!entry.is_scalar() && Members(entry, file, {"joint_friction"}).find("coefficient"))
     fail(file, mark,
          owner + " states a coefficient: what a " + kind.name +
-             " joint carries rubs against its whole slip, along and round, and that is not solved",
-         "write " + effort + ", or state contacts with friction");
+             " joint carries rubs against its whole slip, in all its ways together",
+         kind.common_slip == CommonSlip::none
+             ? std::string("write ") + (freedom.turning ? "a couple, friction: 2 N*m" : "a force, friction: 5 N")
+             : "state it at the joint: friction: " + std::string(kind.common_slip == CommonSlip::along_and_round
+                                                                     ? "{coefficient: 0.2, radius: 20 mm}"
+                                                                     : "{coefficient: 0.2}"));
   return read_joint_friction(entry, mark, owner, kind, file);
+}
+
+// Friction against the slip of a joint in several ways together.
+Friction read_common_friction(const Entry& entry, const Mark& mark, const std::string& owner, const Joint& joint,
+                              const std::string& file) {
+  const CommonSlip slip = joint.kind->common_slip;
+  if (slip == CommonSlip::none)
+    fail(file, mark,
+         owner + " is a " + joint.kind->name +
+             (joint.freedoms.empty() ? ", which does not move: it has no friction"
+                                     : ": friction is a couple or force in each of its freedoms"),
+         joint.freedoms.empty() ? "state it at joints that turn or slide, or as contacts with friction"
+                                : "state it under freedoms: {" + std::string(joint.kind->freedoms.back().name) +
+                                      ": {friction: " + (joint.kind->freedoms.back().turning ? "2 N*m" : "5 N") + "}}");
+  if (slip == CommonSlip::turning && !joint.freedoms.empty())
+    fail(file, mark,
+         owner + " is a ball with angles in an order, and its friction is against its turning about any axis",
+         "leave out angles:, or the friction");
+  const bool sleeve = slip == CommonSlip::along_and_round;
+  const std::string form = slip == CommonSlip::along_plane ? "friction: {coefficient: 0.2}"
+                           : sleeve ? "friction: {coefficient: 0.1, radius: 20 mm}, with the radius of its post"
+                                    : "friction: {coefficient: 0.1, radius: 20 mm}, with the radius of its ball";
+  const auto refuse_own = [&] {
+    if (sleeve)
+      fail(file, mark,
+           owner + " is a cylindrical joint: a couple and a force of their own are stated in each of its freedoms",
+           "state it under freedoms: {slide: {friction: 5 N}}, or write " + form);
+  };
+  if (entry.is_scalar()) {
+    refuse_own();
+    return read_friction(entry, mark, file);
+  }
+  const Members members(entry, file, {"joint_friction"});
+  const Entry* coefficient = members.find("coefficient");
+  for (const char* key : {"static", "kinetic"})
+    if (coefficient && members.find(key))
+      fail(file, members.mark_of(key), owner + " states a coefficient and " + key + ": beside it",
+           "write coefficient: {static: 0.3, kinetic: 0.2}");
+  const auto only = [&](const char* key, bool fits) {
+    if (members.find(key) && !(coefficient && fits))
+      fail(file, members.mark_of(key),
+           owner + (fits ? std::string(" states ") + key + ": and no coefficient of friction"
+                         : " is a " + joint.kind->name + " and has no " + key + ": of its friction"),
+           "write " + form);
+  };
+  only("radius", slip != CommonSlip::along_plane);
+  only("thrust_radius", false);
+  only("length", sleeve);
+  only("thread_angle", false);
+  if (!coefficient) {
+    refuse_own();
+    return {members.require_expression("static", "static: 4 N*m"),
+            members.require_expression("kinetic", "kinetic: 3 N*m"), mark};
+  }
+  Friction friction = read_friction(*coefficient, mark, file);
+  friction.bearing = Bearing{members.expression("radius"), {}, members.expression("length"), {}};
+  if (slip != CommonSlip::along_plane && !friction.bearing->radius)
+    fail(file, mark, owner + " states a coefficient of friction and no radius at which it acts", "write " + form);
+  return friction;
 }
 
 // Reads the keys of one freedom. They stand in the joint itself if it has one freedom, else under `freedoms:`.
@@ -111,7 +173,8 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
     fail(file, members.mark_of(effort),
          owner + " has rate:, accel: and " + effort + ": " + "one too many: with rate and accel the " + effort +
              " is what is found",
-         std::string("leave out accel: if the ") + effort + " drives it, or the " + effort + " and ask for drive(...)");
+         std::string("leave out accel: if the ") + effort + " drives it, or the " + effort +
+             " and ask for drive(...), or state drive(...) under instants: if an unknown is to follow from it");
   if (const Entry* entry = members.find("spring")) {
     const Members spring(*entry, file, {"joint_spring"});
     freedom.stiffness = spring.require_expression("stiffness", "stiffness: 20 N*m/rad");
@@ -119,8 +182,15 @@ void read_freedom(const Members& members, const std::string& owner, const std::s
   }
 }
 
+// A bearing with two ends has its middle where the joint says that it is.
+void require_middle(const Friction& friction, const Joint& joint, const std::string& owner, const std::string& file) {
+  if (friction.bearing && friction.bearing->length && !joint.at && !joint.place.as<Arrow>())
+    fail(file, friction.mark, owner + " states the length at which it bears, and not where",
+         "write at: with the point in the middle between its ends");
+}
+
 bool states_freedom(const Members& members) {
-  for (const char* key : {"angle", "displacement", "rate", "accel", "couple", "force", "spring", "damping", "friction"})
+  for (const char* key : {"angle", "displacement", "rate", "accel", "couple", "force", "spring", "damping"})
     if (members.find(key)) return true;
   return false;
 }
@@ -218,23 +288,13 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   }
   if (const Entry* angles = members.find("angles")) read_angles(*angles, owner, file, joint);
 
-  if (const Entry* friction = members.find("friction"); friction && joint.freedoms.size() != 1) {
-    const bool several = !joint.kind->freedoms.empty();
-    fail(file, members.mark_of("friction"),
-         owner + " is a " + joint.kind->name +
-             (several ? ": friction is a couple or force in each of its freedoms"
-                      : ": friction is stated where something only turns or only slides"),
-         several ? "state it under freedoms: {" + std::string(joint.kind->freedoms.back().name) +
-                       ": {friction: " + (joint.kind->freedoms.back().turning ? "2 N*m" : "5 N") + "}}"
-                 : "state it at joints of one axis, or as contacts with friction");
-  }
+  if (const Entry* friction = members.find("friction"); friction && joint.freedoms.size() != 1)
+    joint.friction = read_common_friction(*friction, members.mark_of("friction"), owner, joint, file);
+  if (joint.friction) require_middle(*joint.friction, joint, owner, file);
   if (joint.freedoms.size() == 1) {
     const Freedom& freedom = joint.freedoms.front();
     read_freedom(members, owner, file, joint.freedoms.front(), *joint.kind);
-    if (freedom.friction && freedom.friction->bearing && freedom.friction->bearing->length && !joint.at &&
-        !joint.place.as<Arrow>())
-      fail(file, freedom.friction->mark, owner + " states the length at which it bears, and not where",
-           "write at: with the point in the middle between its ends");
+    if (freedom.friction) require_middle(*freedom.friction, joint, owner, file);
   } else if (states_freedom(members)) {
     const std::string names = joined(names_of(joint.freedoms));
     fail(file, mark, owner + " has " + (joint.freedoms.empty() ? "no freedom of its own" : "several freedoms"),
@@ -255,6 +315,16 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
       const auto coordinate = freedom.position;
       read_freedom(Members(value, file, {"freedom"}), owner + ", freedom '" + key.text + "'", file, freedom,
                    *joint.kind);
+      if (freedom.friction && joint.friction &&
+          !(joint.kind->common_slip == CommonSlip::along_plane && freedom.turning))
+        fail(file, freedom.friction->mark,
+             owner + " states friction against all its motion, and that of '" + key.text + "' besides",
+             "leave out one of them");
+      if (joint.friction && freedom.rate && freedom.accel)
+        fail(file, value.mark,
+             owner + " has friction, and rate: and accel: of '" + key.text +
+                 "': what drives it has to overcome the friction besides",
+             "leave out the friction, or state what drives it");
       if (coordinate) {
         if (freedom.position)
           fail(file, value.mark, owner + ": the angle '" + key.text + "' already has a name", "remove angle:");
@@ -274,33 +344,51 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
   return joint;
 }
 
+namespace {
+
+Contact friction_of_joint(const Joint& joint, const std::string& name, const Friction& friction) {
+  Contact rubbing;
+  rubbing.name = name;
+  rubbing.of = joint.to;
+  rubbing.against = joint.from;
+  rubbing.of_mark = joint.to_mark;
+  rubbing.against_mark = joint.from_mark;
+  rubbing.normal = joint.place;
+  rubbing.friction = friction;
+  rubbing.in_joint = true;
+  rubbing.mark = joint.mark;
+  return rubbing;
+}
+
+std::string name_of_friction(const Joint& joint, const Freedom& freedom) {
+  return freedom.name.empty() ? joint.name : freedom.name + " of " + joint.name;
+}
+
+}  // namespace
+
 std::vector<Contact> frictions_in(const std::vector<Joint>& joints) {
   std::vector<Contact> found;
-  for (const Joint& joint : joints)
+  for (const Joint& joint : joints) {
+    if (joint.friction) {
+      found.push_back(friction_of_joint(joint, joint.name, *joint.friction));
+      found.back().all_ways = true;
+    }
     for (const Freedom& freedom : joint.freedoms) {
       if (!freedom.friction) continue;
-      Contact friction;
-      friction.name = freedom.name.empty() ? joint.name : freedom.name + " of " + joint.name;
-      friction.of = joint.to;
-      friction.against = joint.from;
-      friction.of_mark = joint.to_mark;
-      friction.against_mark = joint.from_mark;
-      friction.normal = joint.place;
+      found.push_back(friction_of_joint(joint, name_of_friction(joint, freedom), *freedom.friction));
       if (const List* axes = joint.place.as<List>(); axes && joint.kind->given == JointGiven::two_axes)
-        friction.normal = axes->items[&freedom == &joint.freedoms.front() ? 0 : 1];
-      friction.friction = freedom.friction;
-      friction.in_joint = true;
-      friction.mark = joint.mark;
-      found.push_back(std::move(friction));
+        found.back().normal = axes->items[&freedom == &joint.freedoms.front() ? 0 : 1];
     }
+  }
   return found;
 }
 
-RubbingFreedom rubbing_freedom(const std::vector<Joint>& joints, const std::string& friction) {
-  for (const Joint& joint : joints)
+RubbingJoint rubbing_joint(const std::vector<Joint>& joints, const std::string& friction) {
+  for (const Joint& joint : joints) {
+    if (joint.friction && friction == joint.name) return {joint, std::nullopt};
     for (std::size_t k = 0; k < joint.freedoms.size(); ++k)
-      if (friction == (joint.freedoms[k].name.empty() ? joint.name : joint.freedoms[k].name + " of " + joint.name))
-        return {joint, k};
+      if (joint.freedoms[k].friction && friction == name_of_friction(joint, joint.freedoms[k])) return {joint, k};
+  }
   throw std::logic_error("no joint has the friction " + friction);
 }
 

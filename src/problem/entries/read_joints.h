@@ -1,6 +1,7 @@
 // Reads joints with their freedoms and supports.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,14 @@ Joint read_joint(const std::string& name, Mark mark, const Entry& entry, const s
 // The friction in joints, whose states are found with those of contacts.
 std::vector<Contact> frictions_in(const std::vector<Joint>& joints);
 
-// The joint, and its freedom, in which a friction acts: `pin`, or `slide of post` where the joint has several freedoms.
-struct RubbingFreedom {
+// The joint in which a friction acts, and its freedom: `pin`, or `slide of post` where one of several freedoms has
+// friction of its own; nothing where the friction is against all its ways together.
+struct RubbingJoint {
   const Joint& joint;
-  std::size_t freedom = 0;
+  std::optional<std::size_t> freedom;
 
-  const Freedom& stated() const { return joint.freedoms[freedom]; }
+  const Friction& stated() const { return freedom ? *joint.freedoms[*freedom].friction : *joint.friction; }
 };
-RubbingFreedom rubbing_freedom(const std::vector<Joint>& joints, const std::string& friction);
+RubbingJoint rubbing_joint(const std::vector<Joint>& joints, const std::string& friction);
 
 }  // namespace poinsot::problem

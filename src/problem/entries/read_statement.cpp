@@ -92,8 +92,7 @@ Situation read_one(const Entry& stated, const std::string& file) {
   situation.file = file;
   if (const Entry* axes = stated.find("axes")) situation.axes = read_axes(*axes, file);
   if (const Entry* plane = stated.find("plane")) situation.plane = read_plane(*plane, situation.axes, file);
-  const Entry root = situation.plane ? with_vectors_of_plane(stated, situation.plane->normal()) : stated;
-  const Members members(root, file, {"problem"});
+  const Members members(stated, file, {"problem"});
   situation.title = members.text("title");
   situation.given = named_expressions(members, "given", file);
   for (const auto& [name, unit] : named(members, "letters", file)) {
@@ -207,16 +206,26 @@ Situation read_one(const Entry& stated, const std::string& file) {
   check_definition_limits(situation);
   check_stated_names(situation);
   check_choices(situation);
-  note_units(root, file, situation.habits);
+  note_units(stated, file, situation.habits);
   for (const Letter& letter : situation.letters) situation.habits.note(letter.unit);
   for (const Unknown& unknown : situation.find) situation.habits.note(unknown.unit);
   return situation;
 }
 
+// The tree of a file, in a planar problem with three components wherever two stand for a vector.
+Entry read_with_vectors(std::string_view text, const std::string& file) {
+  Entry root = read_tree(text, file);
+  const Entry* plane = root.find("plane");
+  if (!plane) return root;
+  const Entry* axes = root.find("axes");
+  const std::size_t normal = read_plane(*plane, axes ? read_axes(*axes, file) : Situation{}.axes, file).normal();
+  return with_vectors_of_plane(std::move(root), normal);
+}
+
 }  // namespace
 
 Statement read_statement(std::string_view text, const std::string& file, const ReadNamedFile& read) {
-  const Entry root = read_tree(text, file);
+  const Entry root = read_with_vectors(text, file);
   const Members members(root, file, {"problem"});
   Statement statement;
   statement.file = file;

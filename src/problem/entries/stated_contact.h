@@ -16,7 +16,7 @@ enum class Grip { unknown, sticks, slides, parts };
 
 // Of friction in a joint that follows from what the joint carries: what presses, and at which radius.
 struct Bearing {
-  std::optional<Expression> radius{};         // of a journal or, in the mean, of a thread
+  std::optional<Expression> radius{};         // of a journal, a ball or, in the mean, of a thread
   std::optional<Expression> thrust_radius{};  // at which a journal rests against its collar, in the mean
   std::optional<Expression> length{};         // between the two ends at which it bears
   std::optional<Expression> thread_angle{};   // between the flanks of a thread; square when left out
@@ -57,6 +57,8 @@ struct Contact {
   // Whether it is no contact but the friction in the joint of this name, of `of` on `against`; or that of the cord or
   // belt `of` on what it is led over, `against`, and whether that is a belt's.
   bool in_joint = false, on_cord = false, of_belt = false;
+  // Of friction in a joint: whether it is against its slip in all its ways together.
+  bool all_ways = false;
   Mark mark;
 
   // Whether it has friction and touches, so that it sticks, slides or parts.

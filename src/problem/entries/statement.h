@@ -143,6 +143,7 @@ struct Joint {
   std::string from, to;
   Mark from_mark, to_mark;
   std::vector<Freedom> freedoms;
+  std::optional<Friction> friction{};  // against its slip in several ways together; else it stands at a freedom
   std::optional<Expression> pitch;
   std::vector<Support> supports;
   bool supports_stated = false;

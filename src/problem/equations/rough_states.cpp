@@ -29,6 +29,10 @@ void refuse_forces_of_their_own(const Situation& situation) {
     if (contact.on_cord)
       throw NoEquations(contact.words() +
                         " has friction: how its tension grows round what it slips on has no place in these equations");
+    if (contact.all_ways && contact.grip == Grip::slides)
+      throw NoEquations(contact.words() +
+                        " has friction against its slip in all its ways together, which no linear equations tell: "
+                        "state one for each of its freedoms");
     if (contact.friction->bearing && contact.grip == Grip::slides)
       throw NoEquations(contact.words() +
                         " has friction that follows from the size of what it carries, which no linear equations tell: "
@@ -54,7 +58,7 @@ SituationInStates in_stated_states(const Statement& statement, const Situation& 
     try {
       for (States& states : states_that_hold(situation, number, drawn, !draws.none()).all) {
         for (ContactState& state : states)
-          if (state.slip && !state.in_joint) name_line(state, situation, drawn);
+          if (state.has_direction()) name_line(state, situation, drawn);
         if (std::ranges::any_of(all, [&](const States& known) { return are_same(known, states); })) continue;
         told.push_back(words_of_all(states, situation, drawn));
         all.push_back(std::move(states));

@@ -228,7 +228,7 @@ std::vector<int> find_rubbing(const MachineOf<Formula>& machine) {
   std::vector<int> rubbing;
   for (const VelocityConstraint<Formula>& constraint : machine.mechanism.constraints) {
     const bool slides = std::ranges::any_of(machine.rough_contacts, [&](const RoughContactOf<Formula>& contact) {
-      return contact.coordinate < 0 && contact.action == constraint.action && contact.grip == Grip::slides;
+      return !contact.in_joint() && contact.action == constraint.action && contact.grip == Grip::slides;
     });
     const auto component =
         std::ranges::find(machine.mechanism.components, constraint.action, &Component<Formula>::action);

@@ -2,8 +2,9 @@
 #include "problem/explanation/explanation.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <ranges>
 #include <set>
@@ -44,7 +45,7 @@ class Explainer {
     add_models(first_tex);
     if (numbers) questions_ = numbers_.questions();
     explanation_.sections.push_back(principle_section(statement_, questions_));
-    const std::vector<ExplainedSection> at_limits = numbers ? sections_at_limits() : std::vector<ExplainedSection>{};
+    std::vector<ExplainedSection> at_limits = numbers ? sections_at_limits() : std::vector<ExplainedSection>{};
     add_limits();
     if (numbers) add_tables();
     if (ExplainedSection claims = claims_section(statement_, solution_, first_tex); !claims.steps.empty())
@@ -55,14 +56,17 @@ class Explainer {
     // The motion leads from the instants at its start to those that come later.
     const auto add_instants = [&](bool later) {
       for (const auto& [home, questions] : questions_.instants)
-        if ((home.time || home.ending) == later)
+        if ((home.time || home.ending) == later) {
+          add_blows(home.situation, home.time);
           or_left_out([&, &at = home, &asked = questions] { add_instant(at, asked); });
+        }
     };
     add_instants(false);
     for (const std::size_t index : questions_.motions) or_left_out([&] { add_motion(index); });
     add_instants(true);
+    for (const std::size_t index : questions_.motions) add_blows(index, std::nullopt);
     add_neglecting();
-    explanation_.sections.insert(explanation_.sections.end(), at_limits.begin(), at_limits.end());
+    append_at_limits(explanation_.sections, std::move(at_limits), statement_.situations.size() == 1);
     leave_out_said_inertia(explanation_.sections);
     return std::move(explanation_);
   }
@@ -132,9 +136,12 @@ class Explainer {
     }
     return sections;
   }
-  bool is_sticking(std::size_t index, const std::string& contact) const {
+  // action: the name of a contact, of a joint, or of a cord with friction.
+  bool is_sticking(std::size_t index, const std::string& action) const {
     const auto& contacts = situation(index).contacts;
-    const auto found = std::ranges::find(contacts, contact, &Contact::name);
+    const auto found = std::ranges::find_if(contacts, [&](const Contact& contact) {
+      return contact.name == action || (contact.on_cord && contact.of == action);
+    });
     return found != contacts.end() && found->grip == Grip::sticks;
   }
   // What is said to stick at a limit sticks there, whatever it does with the data as they are stated. Returns false
@@ -142,15 +149,16 @@ class Explainer {
   static bool let_stick(Situation& situation, const Ask& ask) {
     for (const Expression& condition : ask.extremum->conditions) {
       const Call* call = condition.as<Call>();
-      const bool sticks = call != nullptr && call->function == "sticking" && call->arguments.size() == 1;
-      const auto contact =
-          sticks ? std::ranges::find(situation.contacts, to_string(call->arguments.front().value), &Contact::name)
-                 : situation.contacts.end();
-      if (contact != situation.contacts.end()) {
-        contact->grip = Grip::sticks;
-      } else if (std::ranges::any_of(situation.contacts, [](const Contact& one) { return one.friction.has_value(); })) {
-        return false;
+      const bool sticks = call != nullptr && call->function == "sticking" && call->arguments.size() <= 2;
+      bool named = false;
+      for (Contact& contact : situation.contacts) {
+        if (!sticks || !is_about(*call, contact.name)) continue;
+        contact.grip = Grip::sticks;
+        named = true;
       }
+      if (!named &&
+          std::ranges::any_of(situation.contacts, [](const Contact& one) { return one.friction.has_value(); }))
+        return false;
     }
     return true;
   }
@@ -261,6 +269,8 @@ class Explainer {
   void ask_for_starts() {
     for (const std::size_t index : questions_.motions) {
       const Situation& stated = situation(index);
+      // A motion that a stated blow begins has its velocities from that.
+      if (stated.has_blow()) questions_.instants[{index, 1, std::nullopt}];
       const Sample::Home start{index, 0, std::nullopt};
       const bool later = std::ranges::any_of(
           stated.instants, [&](const Instant& instant) { return is_later(stated, instant) && !instant.facts.empty(); });
@@ -374,8 +384,18 @@ class Explainer {
         for (const ExplainedEquation& equation : step.equations) derived = derived || shows_rate(equation.tex);
       explanation_.sections.push_back(std::move(section));
     }
+    blows_[index] = later_blow_sections(motion, tex, numbers_.settings()[index], suffix_of(index));
     if (masses.size() == 1) open.push_back(masses.front());
     if (general) add_any_time(index, *general, now, values, std::move(open), derived);
+  }
+
+  // Those along a motion that have not been told yet, up to a time if one is given.
+  void add_blows(std::size_t index, const std::optional<double>& until) {
+    auto& blows = blows_[index];
+    while (!blows.empty() && !(until && blows.begin()->first > *until)) {
+      std::ranges::move(blows.begin()->second, std::back_inserter(explanation_.sections));
+      blows.erase(blows.begin());
+    }
   }
 
   // What is asked for of a whole motion, from the equations of any of its times, in formulas of the coordinates and
@@ -438,33 +458,6 @@ class Explainer {
     return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
   }
 
-  // A mass that may be any has a letter in formulas, so that it is seen to cancel; it has the number that instants take
-  // for it. Returns these letters.
-  static std::vector<std::string> letters_of_any_masses(Situation& lettered, FormulaValues& values,
-                                                        LetterValues& point) {
-    std::vector<std::string> letters;
-    const auto is_any = [](const Body& body) {
-      const Name* name = body.amount.mass ? body.amount.mass->as<Name>() : nullptr;
-      return name && name->name == "any" && body.added.empty();
-    };
-    const auto several = std::ranges::count_if(lettered.bodies, is_any) > 1;
-    for (Body& body : lettered.bodies) {
-      if (!is_any(body)) continue;
-      const std::string letter = several || values.contains("m") ? "m_" + body.name : "m";
-      if (values.contains(letter) || !letters_are_plain(letter)) continue;
-      body.amount.mass = built(Name{letter}, body.amount.mass->mark());
-      lettered.given.push_back({letter, built(Number{1, si_unit(dimensions::mass), true, "1 kg"}, Mark{}), {}});
-      values[letter] = Value<Formula>::of_number(Formula::letter(letter, poinsot::Sign::positive), dimensions::mass);
-      point[letter] = 1;
-      letters.push_back(letter);
-    }
-    return letters;
-  }
-  static bool letters_are_plain(const std::string& name) {
-    return std::ranges::all_of(name,
-                               [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
-  }
-
   const Statement& statement_;
   const std::vector<std::pair<std::string, std::string>>& sets_;
   const SolvedStatement& solved_;
@@ -474,6 +467,7 @@ class Explainer {
   StatementQuestions questions_;
   std::set<Sample::Home> uniform_stages_;  // by their starts
   std::set<std::size_t> limits_apart_{};   // the asks for limits that have lines of their own
+  std::map<std::size_t, std::map<double, std::vector<ExplainedSection>>> blows_{};  // of each situation, by time
   Explanation explanation_;
 };
 

@@ -37,6 +37,7 @@ struct ExplainedSection {
   std::string heading;
   std::vector<ExplainedStep> steps;
   bool of_inertia = false;  // which is said once
+  bool of_sides = false;    // what acts and how bodies move, of which the equations have the numbers
 };
 
 struct Explanation {

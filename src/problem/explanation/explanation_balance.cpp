@@ -184,9 +184,11 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
         tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
         "$ plane, and nothing is known to act across it: of the six equations those of the plane are left, two of "
         "forces and one of moments.";
-    // For several bodies it is said once.
-    if (std::ranges::none_of(equations.steps, [&](const ExplainedStep& step) { return step.text == in_plane; }))
-      equations.steps.push_back({in_plane, {}});
+    // For several bodies and instants it is said once.
+    const bool said = std::ranges::any_of(explanation_.sections, [&](const ExplainedSection& one) {
+      return std::ranges::any_of(one.steps, [&](const ExplainedStep& step) { return step.text == in_plane; });
+    });
+    if (!said) equations.steps.push_back({in_plane, {}});
   }
   if (const std::vector<std::string> turned = turned_axes(system); !turned.empty())
     equations.steps.push_back(
@@ -204,9 +206,10 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
                               : "The forces from outside are equivalent to the kinetic side (Eqs. 18.1, 18.2)";
   text += who;
   if (meet.moments_only)
-    text += ". About $" + point.label + "$, " + listed(met) + (met.size() > 1 ? " have" : " has") + " no moment:";
+    text += ". About $" + point.label + "$" + where(point) + ", " + listed(met) + (met.size() > 1 ? " have" : " has") +
+            " no moment:";
   else
-    text += one_particle ? ":" : "; moments about $" + point.label + "$:";
+    text += one_particle ? ":" : "; moments about $" + point.label + "$" + where(point) + ":";
   ExplainedStep step{text, {}};
   std::vector<std::string> vanishing;
   const auto natural_of = [&](const Dimension& dimension) { return noise_size(dimension); };
@@ -282,6 +285,7 @@ void InstantExplainer::explain_balance() {
   }
   list_unknowns(symbols);
   sticking_step(symbols);
+  law_steps(symbols);
   tex_.hide_until_found({});
 }
 

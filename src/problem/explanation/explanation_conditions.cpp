@@ -5,9 +5,13 @@
 #include "problem/explanation/explanation_instant.h"
 #include "problem/instant/sticking_margin.h"
 #include "problem/language/words.h"
+#include "problem/quantities/rough_contact.h"
 
 namespace poinsot::problem {
 namespace {
+
+// Of the force that friction could take: a limit is found to some ten digits.
+constexpr double about_to_slip = 1e-6;
 
 // Several constraints may hold one coordinate.
 void note_once(ExplainedSection& section, const std::string& text) {
@@ -25,6 +29,15 @@ void with_positive_lead(std::vector<ShownTerm>& left, Shown& right) {
   };
   for (ShownTerm& term : left) reversed(term.coefficient);
   reversed(right);
+}
+
+// The size of a vector with these components.
+std::string size_of_sum(const std::vector<InstantExplainer::Symbol>& components) {
+  if (components.empty()) return "0";
+  if (components.size() == 1) return "\\left|" + components.front().tex + "\\right|";
+  std::string sum;
+  for (const InstantExplainer::Symbol& one : components) sum += (sum.empty() ? "" : " + ") + one.tex + "^{2}";
+  return "\\sqrt{" + sum + "}";
 }
 
 }  // namespace
@@ -54,8 +67,6 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
   const auto force = [&](std::size_t column) {
     return symbol_of({UnknownForce::Kind::component, column - first, column, 1});
   };
-  // Of the force that the contact could take: a limit is found to some ten digits.
-  constexpr double about_to_slip = 1e-6;
   double size = 0;
   for (const FrictionCone& cone : sticking->cones) size = std::max(size, std::abs(force(cone.push).value));
   std::vector<std::string> idle, slipping;
@@ -81,14 +92,8 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
       continue;
     }
     double amount = 0;
-    std::string sum;
-    for (const Symbol& one : friction) {
-      amount = std::hypot(amount, one.value);
-      sum += (sum.empty() ? "" : " + ") + one.tex + "^{2}";
-    }
-    const std::string left = friction.empty()       ? "0"
-                             : friction.size() == 1 ? "\\left|" + friction.front().tex + "\\right|"
-                                                    : "\\sqrt{" + sum + "}";
+    for (const Symbol& one : friction) amount = std::hypot(amount, one.value);
+    const std::string left = size_of_sum(friction);
     const double limit = cone.coefficient * push.value;
     const std::string coefficient = tex_.number(cone.coefficient, dimensions::none) + "\\,";
     const auto in_newtons = [&](double value) { return tex_.with_unit(value, dimensions::force); };
@@ -119,6 +124,147 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
                           shares});
   if (!laws.empty())
     here.steps.push_back({"By Coulomb's law a contact sticks whose friction is less than it can be:", laws});
+}
+
+// The coefficient of friction that counts in the state of a contact.
+std::string InstantExplainer::coefficient_in_tex(std::size_t contact) const {
+  const auto& rough = figures_.numbers.machine->rough_contacts[contact];
+  const Friction& stated = *std::ranges::find(situation_.contacts, rough.name, &Contact::name)->friction;
+  const bool holds = rough.grip == Grip::sticks;
+  if (const Name* name = (holds ? stated.resting : stated.sliding).as<Name>())
+    return ExplanationTex::symbol(name->name);
+  return factor_in_tex(shown([&](const auto& figures) {
+                         const auto& own = figures.machine->rough_contacts[contact];
+                         return own.on_cord() ? (holds ? own.friction_at_rest : own.friction_in_slip)
+                                              : (holds ? own.resting : own.sliding);
+                       }),
+                       dimensions::none);
+}
+
+// The tension of a straight part of a cord or belt, by the symbols of the unknowns.
+std::string InstantExplainer::tension_in_tex(int action) const {
+  const std::size_t first = solve::force_unknowns(mechanism()).accelerations;
+  std::string sum;
+  for (std::size_t k = 0; k < mechanism().components.size(); ++k) {
+    const Component<double>& component = mechanism().components[k];
+    if (component.action != action || !component.span) continue;
+    const bool follows = component.follows >= 0;
+    const double part = follows ? component.followed_part() : 1;
+    const std::size_t own = follows ? static_cast<std::size_t>(component.follows) : k;
+    const std::string symbol = symbol_of({UnknownForce::Kind::component, own, first + own, 1}).tex;
+    if (component.offset != 0) ExplanationTex::add_term(sum, tex_.number(component.offset, dimensions::force), "");
+    ExplanationTex::add_term(sum, part == 1 ? "" : part == -1 ? "-" : tex_.number(part, dimensions::none), symbol);
+  }
+  return sum;
+}
+
+// The larger tension is at most e^(mu beta) times the smaller one (engine/dynamics/capstan.h).
+std::optional<ExplainedStep> InstantExplainer::law_of_cord(std::size_t contact) const {
+  const auto& rough = figures_.numbers.machine->rough_contacts[contact];
+  const double here = tension_of(figures_.numbers.now, figures_.numbers.unknowns, rough.action),
+               behind = tension_of(figures_.numbers.now, figures_.numbers.unknowns, rough.behind);
+  const std::optional<double> angle = angle_round(figures_.numbers.now, rough);
+  if (!angle || !(std::min(here, behind) > 0)) return std::nullopt;
+  const bool sticks = rough.grip == Grip::sticks;
+  const double ratio = std::max(here, behind) / std::min(here, behind),
+               most = std::exp((sticks ? rough.friction_at_rest : rough.friction_in_slip) * *angle);
+  const bool at_limit = !sticks || ratio > (1 - about_to_slip) * most;
+  const bool known = !tex_.letters_open();
+  // How the tensions of letters compare is not known but where the cord slips.
+  if (!known && !at_limit) return std::nullopt;
+  const Contact& stated = *std::ranges::find(situation_.contacts, rough.name, &Contact::name);
+  const std::string cord = words_of_cord(stated.of), place = " *" + stated.against + "*";
+  ExplainedStep step{
+      (sticks && at_limit ? "Where " + cord + " is about to slip on" + place
+       : sticks           ? "As long as " + cord + " does not slip on" + place
+                          : "Where " + cord + " slips on" + place) +
+          ", round which it goes with the angle $\\beta$, the larger tension is " +
+          (at_limit ? "$e^{\\mu\\beta}$ times the smaller one:" : "less than $e^{\\mu\\beta}$ times the smaller one:"),
+      {}};
+  const Shown beta =
+      shown([&](const auto& figures) { return *angle_round(figures.now, figures.machine->rough_contacts[contact]); });
+  if (tex_.can_show(beta)) step.equations.push_back(tex_.equation("\\beta", beta, dimensions::none));
+  const auto larger = here >= behind ? rough.action : rough.behind,
+             smaller = here >= behind ? rough.behind : rough.action;
+  const std::string left = "\\frac{" + tension_in_tex(larger) + "}{" + tension_in_tex(smaller) + "}",
+                    right = "e^{" + coefficient_in_tex(contact) + "\\,\\beta}";
+  const auto number = [&](double value) { return tex_.number(value, dimensions::none); };
+  if (!known)
+    step.equations.push_back({"", left + " = " + right, {}, 0});
+  else if (at_limit)
+    step.equations.push_back({"", left + " = " + right + " = " + number(most), {ratio, most}, most});
+  else
+    step.equations.push_back({"", left + " = " + number(ratio) + " < " + right + " = " + number(most), {}, 0});
+  return step;
+}
+
+// Of the friction of a joint that holds: at most what is stated, or the coefficient times what presses in it.
+std::optional<ExplainedStep> InstantExplainer::law_of_joint(std::size_t contact,
+                                                            const std::vector<Symbol>& unknowns) const {
+  const auto& rough = figures_.numbers.machine->rough_contacts[contact];
+  const bool sticks = rough.grip == Grip::sticks;
+  const solve::ForceUnknowns order = solve::force_unknowns(mechanism());
+  // While it moves a friction that is stated is no unknown.
+  if (!sticks && rough.pressing.empty()) return std::nullopt;
+  std::vector<Symbol> frictions;
+  double amount = 0;
+  for (const auto& way : rough.ways) {
+    const auto effort = std::ranges::find(order.drive_of_effort, way.drive);
+    if (effort == order.drive_of_effort.end() || (rough.ways.size() > 1 && way.arm != 1)) return std::nullopt;
+    const auto place = static_cast<std::size_t>(effort - order.drive_of_effort.begin());
+    const Symbol friction = symbol_of(
+        {UnknownForce::Kind::effort, way.drive, order.accelerations + mechanism().components.size() + place, 1});
+    if (std::ranges::find(unknowns, friction.tex, &Symbol::tex) == unknowns.end() || !friction.determined)
+      return std::nullopt;
+    amount = std::hypot(amount, friction.value);
+    frictions.push_back(friction);
+  }
+  const double coefficient = sticks ? rough.resting : rough.sliding;
+  const Dimension dimension = rough.turning ? dimensions::moment : dimensions::force;
+  std::string sum;
+  double pressed = rough.pressing.empty() ? 1 : 0;
+  const std::vector<Vector3<double>> pressing = pressing_in(figures_.numbers.now, figures_.numbers.unknowns, rough);
+  int terms = 0;
+  for (std::size_t i = 0; i < pressing.size(); ++i) {
+    const double lever = rough.pressing[i].lever, size = norm(pressing[i]);
+    pressed += size;
+    if (is_rounding(size, lever * noise_size(dimensions::force)) || !(lever > 0)) continue;
+    const std::string force = tex_.number(size / lever, dimensions::force);
+    sum += (terms++ > 0 ? " + " : "") +
+           (rough.turning ? tex_.number(lever, dimensions::length) + "\\cdot " + force : force);
+  }
+  const double limit = coefficient * pressed;
+  const bool at_limit = amount > (1 - about_to_slip) * limit;
+  if (!(limit > 0)) return std::nullopt;
+  const std::string name = "*" + rough.name + "*";
+  ExplainedStep step{(!sticks    ? "While " + name + " moves its friction is "
+                      : at_limit ? name + " is about to move, where its friction is as large as it can be, "
+                                 : name + " holds, as its friction is less than it can be, ") +
+                         (rough.pressing.empty() ? "as stated" : words_of_bearing(contact)) + ":",
+                     {}};
+  const std::string left = size_of_sum(frictions), value = tex_.with_unit(limit, dimension);
+  const std::string product = sum.empty() ? ""
+                                          : tex_.number(coefficient, dimensions::none) +
+                                                (terms > 1 ? "\\left(" + sum + "\\right)" : "\\cdot " + sum) + " = ";
+  if (at_limit)
+    step.equations.push_back({"", left + " = " + product + value, {amount, limit}, limit});
+  else
+    step.equations.push_back({"", left + " = " + tex_.with_unit(amount, dimension) + " < " + product + value, {}, 0});
+  return step;
+}
+
+void InstantExplainer::law_steps(const std::vector<Symbol>& unknowns) {
+  if (sudden() || !figures_.numbers.forces) return;
+  const auto& rough = figures_.numbers.machine->rough_contacts;
+  for (std::size_t k = 0; k < rough.size(); ++k) {
+    if (rough[k].grip != Grip::sticks && rough[k].grip != Grip::slides) continue;
+    std::optional<ExplainedStep> step;
+    if (rough[k].on_cord())
+      step = law_of_cord(k);
+    else if (rough[k].in_joint() && !tex_.letters_open())
+      step = law_of_joint(k, unknowns);
+    if (step) section("Friction").steps.push_back(std::move(*step));
+  }
 }
 
 // Whether a coordinate of a free body leads out of a plane, such as that in which everything moves.

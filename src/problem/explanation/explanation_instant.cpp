@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "problem/explanation/figures_of_instant.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/language/scalar_value.h"
 
@@ -82,7 +81,8 @@ ExplainedSection& InstantExplainer::section(const std::string& heading) {
   const std::string full = heading + suffix_;
   for (ExplainedSection& known : explanation_.sections)
     if (known.heading == full) return known;
-  return explanation_.sections.emplace_back(ExplainedSection{full, {}, heading == "Inertia"});
+  return explanation_.sections.emplace_back(
+      ExplainedSection{full, {}, heading == "Inertia", heading == "Kinetic side" || heading == "Free-body side"});
 }
 
 std::string InstantExplainer::body_name(int body) const { return mechanism().tree.name(body); }
@@ -129,7 +129,7 @@ ExplainedPoint InstantExplainer::point_of(const Expression& expression) {
     }
   }
   const Name* name = expression.as<Name>();
-  std::string label = name ? ExplanationTex::symbol(name->name) : "P";
+  std::string label = name ? ExplanationTex::symbol(name->name) : free_point_name();
   if (!name)
     if (const auto known = named_point(number)) label = ExplanationTex::symbol(*known);
   return {label, confirmed(number, formula)};

@@ -25,6 +25,11 @@ struct ExplainedFigures {
   std::optional<InstantFigures<Formula>> formulas{};
 };
 
+// before: the instant before the blow of `solved`, if this is one; it is that of the blow itself if left out.
+InstantFigures<double> figures_of(const SolvedInstant& solved, const SolvedInstant* before);
+// forces: whether those are solved.
+InstantFigures<Formula> figures_of(const FormulaInstant& formulas, bool forces);
+
 // A point of the drawing with its label.
 struct ExplainedPoint {
   std::string label;
@@ -63,6 +68,10 @@ class InstantExplainer {
   // Adds sections with everything that the questions need.
   // followed: whether a motion has led here.
   void explain(const std::string& suffix, bool followed);
+
+  // Adds the equations of a blow in a motion, of which the arguments are the instant just after it. words: what meets
+  // there. Defined in explanation_later_blow.cpp.
+  void explain_later_blow(const std::string& suffix, const std::string& words);
 
   // The symbol of an unknown.
   struct Symbol {
@@ -171,6 +180,9 @@ class InstantExplainer {
   bool has_pure_equation(const std::set<int>& bodies) const;
   BalancePlan plan_for(const std::set<int>& bodies) const;
   std::vector<std::set<int>> choose_systems() const;
+  std::vector<std::set<int>> whole_systems() const;
+  std::vector<std::set<int>> only_needed(std::vector<std::set<int>> whole) const;
+  bool is_struck(const std::set<int>& bodies) const;
   bool determines(const std::vector<std::set<int>>& systems) const;
   std::vector<std::set<int>> pieces(const std::set<std::size_t>& cut) const;
   Symbol symbol_of(const UnknownForce& force) const;
@@ -182,6 +194,8 @@ class InstantExplainer {
   std::vector<std::string> turned_axes(const System& system) const;
   void explain_system(const std::set<int>& bodies, bool only, std::vector<Symbol>& listed);
   std::optional<ExplainedPoint> best_point(const BalancePlan& plan) const;
+  std::string free_point_name() const;
+  std::string where(const ExplainedPoint& point) const;
   std::optional<ExplainedPoint> asked_point(const std::set<int>& bodies);
   // moments_only: no equation of forces follows.
   void kinetic_steps(const std::string& heading, const System& system, const ExplainedPoint& point, bool moments_only,
@@ -215,6 +229,13 @@ class InstantExplainer {
   // The name of a direction of the statement along which, or against which (sign -1), a vector is; "" for another.
   std::pair<std::string, double> named_direction(const Vector3<double>& along) const;
   void sticking_step(const std::vector<Symbol>& listed);
+  // The laws of friction in joints and of cords on what they are led over, beside the forces that were found.
+  void law_steps(const std::vector<Symbol>& listed);
+  std::optional<ExplainedStep> law_of_joint(std::size_t contact, const std::vector<Symbol>& listed) const;
+  std::optional<ExplainedStep> law_of_cord(std::size_t contact) const;
+  std::string coefficient_in_tex(std::size_t contact) const;
+  std::string tension_in_tex(int action) const;
+  std::string words_of_bearing(std::size_t contact) const;
   std::vector<std::size_t> open_coordinates() const;
   std::vector<std::size_t> blocked_coordinates() const;
   bool leaves_plane(std::size_t k) const { return leads_across(k, everything_in_); }
@@ -238,6 +259,7 @@ class InstantExplainer {
   double part_of_length_ = 1;  // of what moves and is held, beside the length of the machine
   std::string suffix_;
   bool followed_ = false;  // whether velocities are those to which a motion has led
+  bool later_ = false;     // whether it is a blow along a motion
   // What has been shown already, so that it is shown once.
   std::set<int> inertia_said_, mass_said_;
   std::vector<Formula> conditions_;  // what rows without unknown forces say of the data

@@ -259,7 +259,11 @@ void add_actions(const Situation& situation, const Data& data, std::vector<std::
                   (contact.restitution ? ", restitution " + data.number(*contact.restitution, dimensions::none) : ""));
   for (const Cord& cord : situation.cords) {
     std::string over;
-    for (const CordWheel& wheel : cord.over) over += (over.empty() ? ", led over *" : ", *") + wheel.name + "*";
+    for (const CordWheel& wheel : cord.over) {
+      over += (over.empty() ? ", led over *" : ", *") + wheel.name + "*";
+      if (wheel.radius) over += " of radius " + code(*wheel.radius);
+      if (wheel.turns) over += ", round which it goes " + data.number(*wheel.turns, dimensions::none) + " times";
+    }
     lines.push_back("the cord *" + cord.name + "* " + (cord.on_to ? "winds on *" : "holds *") + cord.to + "*" +
                     (cord.end ? " at " + code(*cord.end) : "") +
                     (cord.direction ? " along " + code(*cord.direction) : "") + over +

@@ -21,4 +21,8 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
 // Leaves out sections on inertia that say what one before them has said: of what a blow or the time does not change.
 void leave_out_said_inertia(std::vector<ExplainedSection>& sections);
 
+// Adds the lines at limits. of_same: whether all lines are of the same situation; then what acts at a limit, and how
+// bodies move, is told by the equations there once it has been listed above.
+void append_at_limits(std::vector<ExplainedSection>& sections, std::vector<ExplainedSection> at_limits, bool of_same);
+
 }  // namespace poinsot::problem

@@ -1,6 +1,7 @@
 // Explains a motion in time: what moves it, how it is followed, and what stays constant.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
                                               const GeneralMotion* general, const std::string& any_mass,
                                               const Settings& settings, const ExplanationTex& tex,
                                               const std::string& suffix);
+
+// The blows along the part of a motion that has been followed, each kind of them once, by their times. settings: as
+// above.
+std::map<double, std::vector<ExplainedSection>> later_blow_sections(const Course& motion, const ExplanationTex& tex,
+                                                                    const Settings& settings,
+                                                                    const std::string& suffix);
 
 // Whether all accelerations keep, in a stage, the values that they have at its start, and some rate changes: all of its
 // coordinates are then told by them. Throws StatementError as the motion does.

@@ -54,12 +54,11 @@ class NearSteadySteps {
   void add_formulas() {
     if (!near_.formulas || !near_.formulas->machine().mechanism.constraints.empty() || rides()) return;
     const FormulaInstant& formulas = *near_.formulas;
-    const auto motion = steady_formulas(near_.situation, formulas.machine(), formulas.positions(),
-                                        formulas.velocities(), near_.numbers.machine());
-    if (!motion) return;
-    std::vector<std::size_t> free = free_coordinates(*motion);
+    const SteadyFormulas motion = steady_formulas(near_.situation, formulas.machine(), formulas.positions(),
+                                                  formulas.velocities(), near_.numbers.machine());
+    std::vector<std::size_t> free = free_coordinates(motion);
     if (free.empty() || free.size() > most_freedoms) return;
-    LinearisedFormulas equations = linearised(*motion, free);
+    LinearisedFormulas equations = linearised(motion, free);
     leave_out_idle(equations, free);
     if (free.empty()) return;
     std::vector<Formula> all;

@@ -170,4 +170,10 @@ void leave_out_said_inertia(std::vector<ExplainedSection>& sections) {
         sections.erase(sections.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
+void append_at_limits(std::vector<ExplainedSection>& sections, std::vector<ExplainedSection> at_limits, bool of_same) {
+  if (of_same && std::ranges::any_of(sections, &ExplainedSection::of_sides))
+    std::erase_if(at_limits, [](const ExplainedSection& one) { return one.of_sides; });
+  sections.insert(sections.end(), at_limits.begin(), at_limits.end());
+}
+
 }  // namespace poinsot::problem

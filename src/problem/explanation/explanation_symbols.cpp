@@ -99,7 +99,23 @@ InstantExplainer::Symbol InstantExplainer::symbol_of(const UnknownForce& force) 
     const Drive<double>& drive = mechanism().drives[force.index];
     couple = drive.turning;
     const std::string& name = mechanism().actions[static_cast<std::size_t>(drive.action)].name;
-    symbol.tex = ExplanationTex::symbol(couple ? "M" : "F", name);
+    // Friction in several ways has a couple or force along each.
+    std::string index;
+    int number = 0, count = 0;
+    for (std::size_t k = 0; k < mechanism().drives.size(); ++k) {
+      const Drive<double>& other = mechanism().drives[k];
+      if (other.action != drive.action || other.turning != drive.turning) continue;
+      ++count;
+      if (k <= force.index) ++number;
+    }
+    if (count > 1) index = "," + std::to_string(number);
+    const Vector3<double> along = numbers.now.direction(drive.along);
+    for (std::size_t k = 0; count > 1 && k < 3; ++k)
+      if (std::abs(std::abs(along[k]) - 1) < 1e-9) {
+        index = "," + tex_.axis(k);
+        if (along[k] < 0) symbol.sign = -1;
+      }
+    symbol.tex = ExplanationTex::symbol(couple ? "M" : "F", name + index);
   } else {
     const solve::Impact& impact = numbers.blow.impacts[force.index];
     symbol.tex = ExplanationTex::symbol("F", impact.name + (impact.is_friction ? ",t" : ""));
@@ -204,18 +220,26 @@ std::string InstantExplainer::factor_in_tex(const Shown& value, const Dimension&
 std::string InstantExplainer::law_of_bearing(std::size_t action) const {
   const auto& rough = figures_.numbers.machine->rough_contacts;
   const auto found = std::ranges::find_if(
-      rough, [&](const auto& one) { return one.action == static_cast<int>(action) && one.rubs_by_load(); });
+      rough, [&](const auto& one) { return one.action == static_cast<int>(action) && one.found_with_reactions(); });
   if (found == rough.end()) return "";
-  const Bearing& bearing = *std::ranges::find(situation_.contacts, found->name, &Contact::name)->friction->bearing;
-  if (found->pressing.front().form == PressingPart<double>::Form::thread)
-    return ", against the motion, $\\mu$ times the push of the flanks at the mean radius of the thread";
+  if (found->pressing.empty()) return ", against its slip in all its ways together";
+  return ", against the motion, " + words_of_bearing(static_cast<std::size_t>(found - rough.begin()));
+}
+
+std::string InstantExplainer::words_of_bearing(std::size_t contact) const {
+  const auto& found = figures_.numbers.machine->rough_contacts[contact];
+  const Bearing& bearing = *std::ranges::find(situation_.contacts, found.name, &Contact::name)->friction->bearing;
+  if (found.pressing.front().form == PressingPart<double>::Form::thread)
+    return "$\\mu$ times the push of the flanks at the mean radius of the thread";
+  if (found.pressing.front().form == PressingPart<double>::Form::whole)
+    return std::string(found.turning ? "$\\mu r R$" : "$\\mu R$") + " with the whole force that it carries";
   std::vector<std::string> parts;
-  if (bearing.radius || !found->turning)
-    parts.push_back(std::string(found->turning ? "$\\mu r R$" : "$\\mu N$") + " with the force across its " +
-                    (found->turning ? "axis" : "direction") +
-                    (found->pressing.size() > (bearing.thrust_radius ? 2 : 1) ? " at each place where it bears" : ""));
+  if (bearing.radius || !found.turning)
+    parts.push_back(std::string(found.turning ? "$\\mu r R$" : "$\\mu N$") + " with the force across its " +
+                    (found.turning ? "axis" : "direction") +
+                    (found.pressing.size() > (bearing.thrust_radius ? 2 : 1) ? " at each place where it bears" : ""));
   if (bearing.thrust_radius) parts.push_back("$\\mu r_t T$ with the thrust along its axis");
-  return ", against the motion, " + joined(parts, " and ");
+  return joined(parts, " and ");
 }
 
 // "the cord *rope*".
@@ -457,6 +481,10 @@ std::string with_emphasis(std::string sentence) {
 
 bool has_parts(const std::string& tex) { return tex.find(' ') != std::string::npos; }
 bool shows_rate(const std::string& tex) { return tex.find("\\dot") != std::string::npos; }
+std::string at_beginning(const std::string& symbol) {
+  if (!symbol.ends_with("}") || shows_rate(symbol)) return symbol + "_{0}";
+  return symbol.substr(0, symbol.size() - 1) + ",0}";
+}
 bool is_equality(const std::string& tex) { return tex.find(" = ") != std::string::npos; }
 
 }  // namespace poinsot::problem

@@ -27,6 +27,11 @@ std::vector<std::size_t> InstantExplainer::open_coordinates() const {
     if (situation_.steady) given.assign(count, true);
   }
   for (const std::size_t k : blocked_coordinates()) given[k] = true;
+  for (int i = 0; later_ && i < mechanism().tree.body_count(); ++i) {
+    const auto& body = mechanism().tree.body(i);
+    for (int k = 0; !is_struck({i}) && k < velocity_size(body.joint); ++k)
+      given[static_cast<std::size_t>(body.v + k)] = true;
+  }
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < count; ++k)
     if (!given[k]) open.push_back(k);
@@ -254,6 +259,46 @@ bool InstantExplainer::has_pure_equation(const std::set<int>& bodies) const {
   return false;
 }
 
+// Whether a blow along the motion changes how bodies move.
+bool InstantExplainer::is_struck(const std::set<int>& bodies) const {
+  return std::ranges::any_of(bodies, [&](int body) {
+    const auto at = static_cast<std::size_t>(body + 1);
+    const auto &after = figures_.numbers.now.workspace().motion[at],
+               &before = figures_.numbers.before->workspace().motion[at];
+    return !vanishes(after.w - before.w, dimensions::angular_velocity) ||
+           !vanishes(after.v - before.v, dimensions::velocity);
+  });
+}
+
+// All bodies as one, as far as they are connected. In a blow along the motion only what takes part in it connects them,
+// and nothing is said of those that are not struck.
+std::vector<std::set<int>> InstantExplainer::whole_systems() const {
+  std::set<std::size_t> idle;
+  const auto& impacts = figures_.numbers.blow.impacts;
+  for (std::size_t a = 0; later_ && a < mechanism().actions.size(); ++a)
+    if (!solved_.blow_acting()[a] &&
+        std::ranges::find(impacts, static_cast<int>(a), &solve::Impact::action) == impacts.end())
+      idle.insert(a);
+  std::vector<std::set<int>> whole = pieces(idle);
+  std::erase_if(whole, [&](const std::set<int>& piece) {
+    return (later_ && !is_struck(piece)) ||
+           std::ranges::none_of(piece, [&](int body) { return mechanism().tree.body(body).inertia.mass > 0; });
+  });
+  return whole;
+}
+
+// Those of several whole systems without which the others do not determine what is asked for.
+std::vector<std::set<int>> InstantExplainer::only_needed(std::vector<std::set<int>> whole) const {
+  // Their equations may fix data.
+  if (!situation_.find.empty()) return whole;
+  for (std::size_t k = whole.size(); k-- > 0 && whole.size() > 1;) {
+    std::vector<std::set<int>> others = whole;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    if (determines(others)) whole = std::move(others);
+  }
+  return whole;
+}
+
 // The smallest collection of sets of bodies whose equations give what is asked for: all bodies as one, those that
 // remain connected after one cut, single bodies.
 std::vector<std::set<int>> InstantExplainer::choose_systems() const {
@@ -261,9 +306,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [&](int body) { return mechanism().tree.body(body).inertia.mass > 0; });
   };
-  std::vector<std::set<int>> whole;
-  for (std::set<int>& piece : pieces({}))
-    if (with_mass(piece)) whole.push_back(std::move(piece));
+  const std::vector<std::set<int>> whole = whole_systems();
   // The candidates are what remains connected after one cut, and single bodies.
   const Mechanism<double>& m = mechanism();
   const auto between = [&](const Action& action) {
@@ -293,7 +336,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
     for (const std::set<int>& bodies : smaller)
       if (has_pure_equation(bodies)) return {bodies};
   }
-  if (determines(whole)) return whole;
+  if (determines(whole)) return only_needed(whole);
   for (const std::set<int>& bodies : smaller)
     if (determines({bodies})) return {bodies};
   std::set<std::size_t> forces = questions_.forces, cut;
@@ -303,7 +346,10 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
   std::vector<std::set<int>> parts = pieces(cut);
   if (determines(parts)) return parts;
   std::vector<std::set<int>> single;
-  for (const Body& body : situation_.bodies) single.push_back({figures_.numbers.machine->index.at(body.name)});
+  for (const Body& body : situation_.bodies) {
+    const std::set<int> alone{figures_.numbers.machine->index.at(body.name)};
+    if (!later_ || is_struck(alone)) single.push_back(alone);
+  }
   return single;
 }
 
@@ -348,8 +394,25 @@ std::optional<ExplainedPoint> InstantExplainer::best_point(const BalancePlan& pl
     return (sudden() ? *figures.before : figures.now).position(figures.mechanism().components[k].at);
   });
   const auto name = named_point(point.position.number);
-  point.label = ExplanationTex::symbol(name ? *name : "P");
+  point.label = ExplanationTex::symbol(name ? *name : free_point_name());
   return point;
+}
+
+// A letter for a point that has no name in the statement.
+std::string InstantExplainer::free_point_name() const {
+  const auto taken = [&](const std::string& letter) {
+    return std::ranges::find(situation_.points, letter, &NamedExpression::name) != situation_.points.end() ||
+           std::ranges::find(situation_.given, letter, &NamedExpression::name) != situation_.given.end();
+  };
+  for (const char* const letter : {"P", "Q", "R", "S", "K"})
+    if (!taken(letter)) return letter;
+  return "P_0";
+}
+
+// Where a point is that has no name in the statement.
+std::string InstantExplainer::where(const ExplainedPoint& point) const {
+  if (point.label != ExplanationTex::symbol(free_point_name()) || !tex_.can_show(point.position)) return "";
+  return ", at " + tex_.inline_both(point.position, dimensions::length);
 }
 
 }  // namespace poinsot::problem

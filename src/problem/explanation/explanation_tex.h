@@ -165,5 +165,7 @@ bool has_value(const Formula& formula, const LetterValues& letters, double value
 bool has_parts(const std::string& tex);
 bool shows_rate(const std::string& tex);
 bool is_equality(const std::string& tex);
+// The symbol of the value that something begins with: v_{x,0} of v_{x}, \dot{x}_{0} of \dot{x}.
+std::string at_beginning(const std::string& symbol);
 
 }  // namespace poinsot::problem

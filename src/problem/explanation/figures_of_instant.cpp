@@ -1,7 +1,7 @@
-#include "problem/explanation/figures_of_instant.h"
-
 #include <cstddef>
 #include <vector>
+
+#include "problem/explanation/explanation_instant.h"
 
 namespace poinsot::problem {
 
@@ -16,10 +16,10 @@ InstantFigures<double> figures_of(const SolvedInstant& solved, const SolvedInsta
     figures.now.set_accelerations(std::vector<double>(
         figures.unknowns.begin(), figures.unknowns.begin() + static_cast<std::ptrdiff_t>(state.v.size())));
   }
-  if (solved.after_blow() && before) {
+  if (solved.after_blow()) {
     figures.before.emplace(solved.machine().mechanism);
     figures.before->set_positions(state.q);
-    figures.before->set_velocities(before->state().v);
+    figures.before->set_velocities(before ? before->state().v : solved.velocities_before());
     figures.blow = solved.struck();
     figures.impulses = solved.blow().value;
   }

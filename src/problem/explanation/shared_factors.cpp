@@ -20,6 +20,16 @@ std::vector<Formula> divided(const std::vector<Formula>& formulas, const Formula
   return result;
 }
 
+// Whether some formula has a denominator that it did not have before: then it did not share the factor.
+bool adds_denominator(const std::vector<Formula>& before, const std::vector<Formula>& after) {
+  const auto denominator = [](const Formula& one) { return numerator(one) / one; };
+  for (std::size_t k = 0; k < before.size(); ++k)
+    if (!before[k].is_zero() && !(denominator(before[k]) - denominator(after[k])).is_zero()) return true;
+  return false;
+}
+
+bool is_letter(const Formula& factor) { return factor.letters() == std::vector<std::string>{text(factor)}; }
+
 }  // namespace
 
 WithoutShared without_shared_factors(std::vector<Formula> formulas, const std::vector<Formula>& factors) {
@@ -28,7 +38,7 @@ WithoutShared without_shared_factors(std::vector<Formula> formulas, const std::v
   const auto take = [&](const Formula& by) {
     std::vector<Formula> shorter = divided(found.rest, by);
     const std::size_t own = length_of(shorter);
-    if (own >= length) return false;
+    if (own >= length || (is_letter(by) && adds_denominator(found.rest, shorter))) return false;
     found.rest = std::move(shorter);
     length = own;
     return true;

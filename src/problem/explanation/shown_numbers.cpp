@@ -1,6 +1,7 @@
 #include "problem/explanation/shown_numbers.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -41,6 +42,17 @@ bool stays_number(double value, const Dimension& dimension) {
   return dimension == dimensions::angle && std::abs(steps - std::round(steps)) < rounding;
 }
 
+bool has_number(const SolvedAsk& ask) { return ask.state == AskState::found && ask.value.is_number(); }
+// In letters, the same for all values of these.
+bool has_one_formula(const SolvedAsk& ask) {
+  return ask.state == AskState::needs_letters && ask.formula.has_value() && ask.formula->is_number() &&
+         ask.regimes.size() <= 1;
+}
+
+bool letters_are_plain(const std::string& name) {
+  return std::ranges::all_of(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+}
+
 }  // namespace
 
 ShownNumbers::ShownNumbers(const Statement& statement, const std::vector<std::pair<std::string, std::string>>& sets,
@@ -64,7 +76,7 @@ void ShownNumbers::find_limits() {
   for (std::size_t k = 0; k < statement_.asks.size(); ++k) {
     const Ask& ask = statement_.asks[k];
     const SolvedAsk& found = solution_.asks[k];
-    if (!ask.extremum || found.state != AskState::found || !found.value.is_number()) continue;
+    if (!ask.extremum || !(has_number(found) || has_one_formula(found))) continue;
     const std::size_t situation = situation_of(statement_, ask);
     const std::string& name = statement_.situations[situation].name;
     const bool alone = std::none_of(statement_.asks.begin(), statement_.asks.end(), [&](const Ask& other) {
@@ -80,9 +92,11 @@ void ShownNumbers::find_limits() {
 std::vector<std::string> ShownNumbers::open_letters(std::optional<std::size_t> situation) const {
   std::vector<std::string> names;
   for (const Letter& letter : solved_.open_letters) {
-    // At its limit a letter has a value.
+    // At its limit a letter has a value, unless others stand behind it.
     const auto limit = situation ? limits_.find(*situation) : limits_.end();
-    if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name) continue;
+    if (limit != limits_.end() && statement_.asks[limit->second].extremum->name == letter.name &&
+        has_number(solution_.asks[limit->second]))
+      continue;
     names.push_back(letter.name);
   }
   return names;
@@ -105,8 +119,13 @@ bool ShownNumbers::choose_numbers() {
     }
     try {
       if (!set_unknowns(drawn_)) return false;
-      for (const auto& [situation, ask] : limits_)
-        settings_[situation][statement_.asks[ask].extremum->name] = solution_.asks[ask].value;
+      for (const auto& [situation, ask] : limits_) {
+        const SolvedAsk& limit = solution_.asks[ask];
+        settings_[situation][statement_.asks[ask].extremum->name] =
+            has_number(limit)
+                ? limit.value
+                : Value<double>::of_number(value_at(limit.formula->number, drawn_), limit.formula->dimension);
+      }
       sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
       questions_ = questions_of(statement_, *sample_, limits_);
       for (auto one = questions_.instants.begin(); one != questions_.instants.end();) {
@@ -206,6 +225,26 @@ FormulaValues ShownNumbers::formula_values(std::size_t situation, Situation& let
     if (!values.contains(name)) values[name] = Value<Formula>::of_number(Formula(value.number), value.dimension);
   }
   return values;
+}
+
+std::vector<std::string> letters_of_any_masses(Situation& lettered, FormulaValues& values, LetterValues& point) {
+  std::vector<std::string> letters;
+  const auto is_any = [](const Body& body) {
+    const Name* name = body.amount.mass ? body.amount.mass->as<Name>() : nullptr;
+    return name && name->name == "any" && body.added.empty();
+  };
+  const auto several = std::ranges::count_if(lettered.bodies, is_any) > 1;
+  for (Body& body : lettered.bodies) {
+    if (!is_any(body)) continue;
+    const std::string letter = several || values.contains("m") ? "m_" + body.name : "m";
+    if (values.contains(letter) || !letters_are_plain(letter)) continue;
+    body.amount.mass = built(Name{letter}, body.amount.mass->mark());
+    lettered.given.push_back({letter, built(Number{1, si_unit(dimensions::mass), true, "1 kg"}, Mark{}), {}});
+    values[letter] = Value<Formula>::of_number(Formula::letter(letter, poinsot::Sign::positive), dimensions::mass);
+    point[letter] = 1;
+    letters.push_back(letter);
+  }
+  return letters;
 }
 
 }  // namespace poinsot::problem

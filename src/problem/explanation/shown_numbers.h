@@ -67,4 +67,8 @@ class ShownNumbers {
   StatementQuestions questions_;
 };
 
+// A mass that may be any has a letter in formulas, so that it is seen to cancel; it has the number that instants take
+// for it. Returns these letters.
+std::vector<std::string> letters_of_any_masses(Situation& lettered, FormulaValues& values, LetterValues& point);
+
 }  // namespace poinsot::problem

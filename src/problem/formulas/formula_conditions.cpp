@@ -1,13 +1,18 @@
 #include "problem/formulas/formula_conditions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "poinsot/engine/math/formula/formula_constant.h"
 #include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/formula_words.h"
+#include "problem/language/diagnostic.h"
+#include "problem/language/expression.h"
 #include "problem/language/unit_table.h"
+#include "problem/machine/data.h"
+#include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
 
@@ -22,6 +27,45 @@ std::string words_of_root(const Formula& not_negative) {
     if (std::string own = formula_words(one); own.size() < words.size()) words = std::move(own);
   return words + " >= 0";
 }
+
+// An inequality that was read once. Its letters are numbers of SI units without dimension, since numbers in formulas
+// have none; angles remain angles.
+class ToldInequality {
+ public:
+  ToldInequality(const std::string& words, const std::vector<Letter>& letters) {
+    situation_.letters = letters;
+    for (Letter& letter : situation_.letters)
+      if (letter.unit.dimension != dimensions::angle) letter.unit = Unit{};
+    has_g_ = std::ranges::find(letters, "g", &Letter::name) != letters.end();
+    if (!has_g_) situation_.letters.push_back({"g", Unit{}, Mark{}});
+    try {
+      expression_ = parse_expression(words, "", Mark{});
+    } catch (const StatementError&) {
+      // Words that are no inequality say nothing here.
+    }
+  }
+
+  std::optional<bool> at(const LetterValues& values) const {
+    if (!expression_ || !(*expression_).as<Comparison>()) return std::nullopt;
+    Settings settings;
+    for (const Letter& letter : situation_.letters)
+      if (const auto value = values.find(letter.name); value != values.end())
+        settings[letter.name] = Value<double>::of_number(value->second, letter.unit.dimension);
+    if (!has_g_) settings["g"] = Value<double>::of_number(standard_gravity, dimensions::none);
+    DataScope<double> data(situation_, settings);
+    try {
+      const Value<double> truth = data.value(*expression_);
+      return truth.is_boolean() ? std::optional(truth.truth) : std::nullopt;
+    } catch (const StatementError&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  Situation situation_;
+  bool has_g_ = false;
+  std::optional<Expression> expression_;
+};
 
 }  // namespace
 
@@ -101,7 +145,10 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
   tried(with_plain_numbers(positive, standard_gravity_digits), best, words);
   for (const Formula& factor : {gravity, Formula(1) / gravity}) tried(Formula(best) * factor, best, words);
   // Tangents of half angles, in which formulas are factored, are for sums only.
-  if (!turns) tried(sign_part(positive, false), best, words);
+  if (!turns) {
+    const Formula part = sign_part(positive, false);
+    for (const Formula& one : {part, with_plain_numbers(part, standard_gravity_digits)}) tried(one, best, words);
+  }
   for (const Letter& letter : open) {
     if (letter.either_sign || is_angle(letter)) continue;
     const Formula factor = formula_of(letter).number, start = best;
@@ -112,6 +159,50 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
     for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
   const std::string opposite = formula_words(-best);
   return opposite.size() < words.size() ? opposite + " < 0" : words + " > 0";
+}
+
+std::optional<bool> holds_as_told(const std::string& inequality, const std::vector<Letter>& letters,
+                                  const LetterValues& values) {
+  return ToldInequality(inequality, letters).at(values);
+}
+
+void hold_conditions_as_told(const std::vector<Letter>& letters, const LetterValues& found_at,
+                             const std::vector<LetterValues>& others, Solution& solution) {
+  const auto take_back = [&](SolvedAsk& ask) {
+    if (!ask.formula) return;
+    ask.formula.reset();
+    ask.formula_road.clear();
+    ask.regimes.clear();
+    ask.no_formula = "the condition of the formula found, as it is told, does not agree with numbers";
+    ask.state = AskState::needs_letters;
+    if (ask.letters.empty())
+      for (const Letter& letter : letters) ask.letters.push_back(letter.name);
+  };
+  for (const FormulaCondition& condition : solution.grounds) {
+    if (condition.inequality.empty()) continue;
+    const ToldInequality told(condition.inequality, letters);
+    const auto differs_at = [&](const LetterValues& at) {
+      const std::optional<bool> holds = told.at(at);
+      const double positive = value_at(condition.positive, at);
+      return holds && std::isfinite(positive) && positive != 0 && *holds != (positive > 0);
+    };
+    if (told.at(found_at) != false && !differs_at(found_at) && std::ranges::none_of(others, differs_at)) continue;
+    for (std::size_t i = 0; i < solution.asks.size(); ++i)
+      if (condition.asks.empty() || std::ranges::count(condition.asks, i) > 0) take_back(solution.asks[i]);
+  }
+  constexpr double same_branch = 1e-6;  // relative difference of numbers on one branch
+  for (SolvedAsk& ask : solution.asks) {
+    const std::vector<RegimeFormula> regimes = ask.regimes;
+    for (std::size_t k = 0; k < regimes.size(); ++k) {
+      const auto is = [&](bool wanted) {
+        return [&, wanted](const std::string& words) { return holds_as_told(words, letters, found_at) == wanted; };
+      };
+      const bool first = k == 0, claimed = std::ranges::all_of(regimes[k].where, is(true));
+      if (first ? std::ranges::any_of(regimes[k].where, is(false))
+                : claimed && !(misfit_of(regimes[k].formula, ask.value, found_at, size_of(ask.value)) <= same_branch))
+        take_back(ask);
+    }
+  }
 }
 
 }  // namespace poinsot::problem

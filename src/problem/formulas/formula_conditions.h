@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "problem/entries/statement.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/value.h"
+#include "problem/results/solution.h"
 
 namespace poinsot::problem {
 
@@ -41,6 +43,20 @@ bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>
 
 // "5*g - 2*r*w^2 > 0": without the factors that have no part in the sign, as far as this is shorter. open: the letters.
 std::string condition_words(const Formula& positive, const std::vector<Letter>& open);
+
+// The second road to conditions: each is read back as it is told, by the reader of the language. A formula was found at
+// some letters, so its conditions hold there; elsewhere they hold where what was found positive is so.
+//
+// Whether an inequality such as "M - Q > 0" holds at these letters, in SI units; nothing where it cannot be read so or
+// has no value there.
+std::optional<bool> holds_as_told(const std::string& inequality, const std::vector<Letter>& letters,
+                                  const LetterValues& values);
+
+// Takes back the formulas of a solution that was found at some letters, if a condition told of them does not hold
+// there, or at one of the other letters otherwise than what was found positive, or if the condition of another formula
+// of the same answer holds there which has another value. letters: those without value.
+void hold_conditions_as_told(const std::vector<Letter>& letters, const LetterValues& found_at,
+                             const std::vector<LetterValues>& others, Solution& solution);
 
 inline bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
 

@@ -282,11 +282,11 @@ void FormulaInstant::note_flanks(const std::vector<Formula>& unknowns) const {
 
 // Of joints whose friction follows from what they carry, while they move: which way what presses points, V/|V|, is that
 // without friction where it does not turn with the friction. Where it does for a single joint, V = V0 + M V1, the
-// friction M is the root of the quadratic M^2 = m^2 |V0 + M V1|^2 that goes against the motion.
+// friction M along its slip is the negative root of the quadratic M^2 = m^2 |V0 + M V1|^2.
 void FormulaInstant::find_pressing() {
   std::vector<std::size_t> moving;
   for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k)
-    if (machine_.rough_contacts[k].rubs_by_load()) moving.push_back(k);
+    if (machine_.rough_contacts[k].found_with_reactions()) moving.push_back(k);
   if (moving.empty()) return;
   using Pressing = std::vector<std::vector<Vector3<Formula>>>;
   const auto pressing_now = [&] {
@@ -321,14 +321,14 @@ void FormulaInstant::find_pressing() {
     }
   if (!turns) return;
   RoughContactOf<Formula>& contact = machine_.rough_contacts[moving.front()];
-  if (moving.size() > 1 || contact.pressing.size() > 1)
+  if (moving.size() > 1 || contact.pressing.size() != 1)
     throw NoFormula("what joint '" + contact.name + "' carries turns with its friction");
   contact.pressing.front().toward.reset();
-  contact.effort_known = Formula(1);
+  contact.friction_known = Formula(1);
   const Vector3<Formula> V0 = without.front().front(), V1 = pressing_now().front().front() - V0;
   const Formula m = contact.sliding * contact.sliding, a = Formula(1) - m * dot(V1, V1), b = m * dot(V0, V1),
                 root = sqrt(b * b + a * m * dot(V0, V0));
-  contact.effort_known = (contact.goes_forward() ? b - root : b + root) / a;
+  contact.friction_known = (b - root) / a;
   note_sign(a);
 }
 

@@ -301,6 +301,17 @@ class RegimeSearch {
   const WorkLimit limit_;
 };
 
+// What is told of conditions is read back at the letters at which the formulas were found and all over their decades.
+void hold_told_conditions(const FormulaTask& task, Solution& solution) {
+  constexpr std::size_t points = 40;
+  LetterValues found_at;
+  for (const Letter& letter : task.open) found_at[letter.name] = task.settings.front().at(letter.name).number;
+  const LetterScan scan(task.open, found_at);
+  std::vector<LetterValues> others;
+  for (std::size_t i = 0; i < points; ++i) others.push_back(scan.point(i));
+  hold_conditions_as_told(task.open, found_at, others, solution);
+}
+
 }  // namespace
 
 void find_regimes(const FormulaTask& task, const FormulaGrounds& grounds, std::vector<HeldCondition>& held,
@@ -310,13 +321,16 @@ void find_regimes(const FormulaTask& task, const FormulaGrounds& grounds, std::v
 
 void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, const std::vector<HeldCondition>& held,
                      Solution& solution) {
-  const auto tell = [&](const std::string& words, const Formula& positive) {
+  // of: whose formulas it is said to be of, "" if of all.
+  const auto tell = [&](const std::string& inequality, const std::string& of, const std::vector<std::size_t>& asks,
+                        const Formula& positive) {
+    const std::string words = of.empty() ? inequality : inequality + " for " + of;
     if (std::ranges::find(solution.assumptions, words) == solution.assumptions.end())
       solution.assumptions.push_back(words);
-    solution.grounds.push_back({words, positive});
+    solution.grounds.push_back({words, positive, inequality, asks});
   };
   for (const OneSidedForce& force : grounds.forces)
-    if (force.of_state) tell(condition_words(force.value, task.open), force.value);
+    if (force.of_state) tell(condition_words(force.value, task.open), "", {}, force.value);
   const auto count = std::ranges::count_if(task.statement.asks, [&](const Ask& ask) {
     const auto i = static_cast<std::size_t>(&ask - task.statement.asks.data());
     return solution.asks[i].formula && is_at_instant(task, ask);
@@ -331,14 +345,15 @@ void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, con
       if (solution.asks[i].regimes.empty())
         together.push_back(name);
       else
-        tell(words + " for " + name, condition.positive);
+        tell(words, name, {i}, condition.positive);
     }
     // Bounds are of the unknowns, which have formulas even where no answer has.
     const bool of_unknowns = condition.bound && !grounds.unknowns.empty();
     if (together.empty() && !of_unknowns) continue;
-    tell(static_cast<std::ptrdiff_t>(together.size()) == count ? words : words + " for " + listed(together),
-         condition.positive);
+    const bool of_all = static_cast<std::ptrdiff_t>(together.size()) == count;
+    tell(words, of_all ? "" : listed(together), condition.asks, condition.positive);
   }
+  hold_told_conditions(task, solution);
 }
 
 }  // namespace poinsot::problem

@@ -102,7 +102,7 @@ class FormulaSearch {
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
     if (ask.extremum && task_.has_friction()) {
-      const Value<Formula> limit = answers_.limit_of_sticking(ask);
+      Value<Formula> limit = answers_.limit_of_sticking(ask);
       confirm(limit, i);
       return limit;
     }

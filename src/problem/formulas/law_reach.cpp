@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "poinsot/engine/work/work_scope.h"
 #include "problem/formulas/formula_answers.h"
@@ -28,32 +29,25 @@ constexpr double beside_bound = 0.02;  // of a bound: where it is tried, on eith
 
 class Reach {
  public:
-  Reach(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters, const LetterValues& base,
-        const ScalingTrials::Solve& solve, double tolerance, Work most,
-        const std::function<bool(const LetterValues&)>& is_beyond, bool by_dimensions, Work each, double& misfit)
-      : laws_(laws),
-        letters_(letters),
-        base_(base),
-        solve_(solve),
-        scan_(letters, base),
-        tolerance_(tolerance),
-        is_beyond_(is_beyond),
+  Reach(const ReachTask& task, double& misfit)
+      : task_(task),
+        laws_(task.laws),
+        letters_(task.letters),
+        base_(task.base),
+        scan_(task.letters, task.base),
         misfit_(misfit),
-        by_dimensions_(by_dimensions),
-        most_(most),
-        limit_(most),
-        each_(each) {}
+        limit_(task.most) {}
 
   std::vector<LawReach> found() {
     keep(base_);
     for (const FarPoint& point : far_points())
       if (!limit_.spent() || (!point.much.empty() && left_out(point.much))) keep(point.letters, point.much);
-    limit_ = WorkLimit(looking_nearer * most_);
+    limit_ = WorkLimit(looking_nearer * task_.most);
     look_nearer();
     see_what_matters();
     std::vector<LawReach> all;
     // To close a bound in takes as many points again; few laws need it.
-    limit_ = WorkLimit(closing_in * most_);
+    limit_ = WorkLimit(closing_in * task_.most);
     for (std::size_t k = 0; k < laws_.size(); ++k) all.push_back(reach(k));
     return all;
   }
@@ -78,7 +72,7 @@ class Reach {
     std::vector<FarPoint> points;
     // With no group of the letters there is none that a bound could be at: all far points are one motion in other
     // units, and where all letters are others at once none is left out.
-    if (by_dimensions_) {
+    if (task_.by_dimensions) {
       for (std::size_t i = 0; i < scanned_by_dimensions; ++i) points.push_back({scanned(i)});
       return points;
     }
@@ -196,8 +190,8 @@ class Reach {
     misfits_.assign(laws_.size(), 0);
     ScalingTrials::Answers answers;
     try {
-      const WorkScope scope(each_);
-      answers = solve_(letters);
+      const WorkScope scope(task_.each);
+      answers = task_.solve(letters);
     } catch (const BudgetEnded&) {
       // Either this point takes too long, or the caller waits no longer.
       check_budget();
@@ -209,12 +203,15 @@ class Reach {
     }
     for (std::size_t k = 0; k < laws_.size(); ++k) {
       const std::optional<Value<double>>& value = answers.at(laws_[k].answer);
-      if (!value) continue;
+      if (!value) {
+        if (tells_in_vain(laws_[k], letters)) holds[k] = false;
+        continue;
+      }
       // Nothing swings where what is under the root of a frequency is negative.
       if (value->is_list() && value->items.empty() && has_no_value(laws_[k].law, letters)) continue;
       const double misfit = misfit_of(laws_[k].law, *value, letters, size_of(*value));
-      const bool met = misfit <= tolerance_;
-      if (!met && is_beyond_(letters)) continue;
+      const bool met = misfit <= task_.tolerance;
+      if (!met && task_.is_beyond(letters)) continue;
       holds[k] = met;
       misfits_[k] = misfit;
       if (met) misfit_ = std::max(misfit_, misfit);
@@ -226,35 +223,114 @@ class Reach {
     tried_.push_back({letters, std::move(holds), misfits_, much});
   }
 
+  // Whether a law tells something where it does not happen. What would happen later than it was looked for may.
+  bool tells_in_vain(const HeldLaw& law, const LetterValues& letters) const {
+    const std::optional<double> until = task_.sought_in_vain(law.answer, letters);
+    if (!until || has_no_value(law.law, letters) || task_.is_beyond(letters)) return false;
+    const auto comes_later = [&](const HeldLaw& event) {
+      return event.of_event && event.law.is_number() && value_at(event.law.number, letters) > *until;
+    };
+    return law.of_event ? !comes_later(law) : std::ranges::none_of(laws_, comes_later);
+  }
+
   LawReach reach(std::size_t k) {
-    const auto fails = std::ranges::find_if(tried_, [&](const Tried& one) { return one.holds[k] == false; });
-    if (fails == tried_.end()) return {{}, {}, by_dimensions_ ? "" : untried(k)};
     LawReach result;
-    result.fails = fails->letters;
-    if (tried_.front().holds[k] != true) return result;
+    for (const Tried& one : tried_) {
+      if (one.holds[k] != false) continue;
+      if (task_.sought_in_vain(laws_[k].answer, one.letters))
+        result.not_there.push_back(one.letters);
+      else if (!result.fails)
+        result.fails = one.letters;
+    }
+    // No time is negative, and what is asked at one needs one.
+    for (const HeldLaw& law : laws_) {
+      const bool own = law.answer == laws_[k].answer && law.of_event;
+      if ((own || std::ranges::count(laws_[k].at_events, law.answer) > 0) && changes_sign(law.law.number))
+        result.positive.push_back(law.law.number);
+    }
+    if (result.fails || !result.not_there.empty()) {
+      result.told = tried_.front().holds[k] == true && add_conditions(k, result.positive);
+    } else if (!task_.by_dimensions) {
+      result.untried = untried(k);
+    }
+    return result;
+  }
+  bool changes_sign(const Formula& law) const {
+    constexpr std::size_t points = 100;
+    if (!(value_at(law, base_) > 0)) return false;
+    for (std::size_t i = 0; i < points; ++i)
+      if (value_at(law, scanned(i)) < 0) return true;
+    return std::ranges::any_of(tried_, [&](const Tried& one) { return value_at(law, one.letters) < 0; });
+  }
+
+  // Adds what else must be positive where a law holds. Whether it holds wherever all of it is.
+  bool add_conditions(std::size_t k, std::vector<Formula>& positive) {
+    inside_ = positive;
+    if (std::ranges::none_of(tried_, [&](const Tried& one) { return one.holds[k] == false && is_inside(one.letters); }))
+      return true;
+    const std::optional<Formula> found = parting(k);
+    if (found) positive.push_back(*found);
+    return found.has_value();
+  }
+  bool is_inside(const LetterValues& letters) const {
+    return std::ranges::all_of(inside_, [&](const Formula& one) { return value_at(one, letters) > 0; });
+  }
+  // What is positive where a law holds and negative where it fails.
+  std::optional<Formula> parting(std::size_t k) {
     for (const Letter& letter : letters_)
       if (letter.either_sign && parts(k, [&](const LetterValues& at) { return at.at(letter.name) < 0; })) {
         const Formula x = formula_of(letter).number;
-        result.positive = base_.at(letter.name) > 0 ? x : -x;
-        return result;
+        return base_.at(letter.name) > 0 ? x : -x;
       }
-    for (const LetterGroup& group : groups_of(letters_)) {
-      result.positive = bound_by(k, group);
-      if (result.positive) return result;
+    for (const Formula& one : turned_round(laws_[k].law))
+      if (parts(k, [&](const LetterValues& at) { return !(value_at(one, at) > 0); }) && confirmed(k, one)) return one;
+    for (const LetterGroup& group : groups_of(letters_))
+      if (std::optional<Formula> found = bound_by(k, group)) return found;
+    return std::nullopt;
+  }
+  // A law with one letter turned round, of the sign that it has at the base: after a slip friction acts the other way,
+  // and holds where it is large enough for that.
+  std::vector<Formula> turned_round(const Value<Formula>& law) const {
+    std::vector<Formula> all;
+    if (!law.is_number()) return all;
+    for (const Letter& letter : letters_) {
+      if (!stands_in(letter.name, law)) continue;
+      try {
+        const Formula turned = substituted(law.number, {{letter.name, -formula_of(letter).number}});
+        if (const double here = value_at(turned, base_); here != 0 && std::isfinite(here))
+          all.push_back(here > 0 ? turned : -turned);
+      } catch (const std::domain_error&) {
+        // It has no value then.
+      }
     }
-    return result;
+    return all;
+  }
+  // Whether a law holds at other letters where something is positive, and nowhere else.
+  bool confirmed(std::size_t k, const Formula& positive) {
+    constexpr std::size_t wanted = 3;
+    std::size_t inside = 0, outside = 0;
+    for (std::size_t i = most_scanned_laws; i < 4 * most_scanned_laws && std::min(inside, outside) < wanted; ++i) {
+      const LetterValues letters = beside(i);
+      if (limit_.spent()) return false;
+      const std::optional<bool> holds = is_inside(letters) ? at(letters)[k] : std::nullopt;
+      if (!holds) continue;
+      if (*holds != (value_at(positive, letters) > 0)) return false;
+      ++(*holds ? inside : outside);
+    }
+    return inside > 0 && outside > 0;
   }
   // Whether the law fails at just those points at which something is true.
   template <class True>
   bool parts(std::size_t k, const True& is_true) const {
-    return std::ranges::all_of(
-        tried_, [&](const Tried& one) { return !one.holds[k].has_value() || *one.holds[k] != is_true(one.letters); });
+    return std::ranges::all_of(tried_, [&](const Tried& one) {
+      return !one.holds[k].has_value() || !is_inside(one.letters) || *one.holds[k] != is_true(one.letters);
+    });
   }
 
   std::optional<Formula> bound_by(std::size_t k, const LetterGroup& group) {
     double low_holds = INFINITY, high_holds = 0, low_fails = INFINITY, high_fails = 0;
     for (const Tried& one : tried_) {
-      if (!one.holds[k].has_value()) continue;
+      if (!one.holds[k].has_value() || !is_inside(one.letters)) continue;
       const double value = group.at(one.letters);
       (*one.holds[k] ? low_holds : low_fails) = std::min(*one.holds[k] ? low_holds : low_fails, value);
       (*one.holds[k] ? high_holds : high_fails) = std::max(*one.holds[k] ? high_holds : high_fails, value);
@@ -270,8 +346,10 @@ class Reach {
     for (std::size_t i = most_scanned_laws; i < 3 * most_scanned_laws && confirmed < 3; ++i) {
       if (limit_.spent()) return std::nullopt;
       const LetterValues other = scanned(i);
-      const auto inside = at(group.moved(other, bound * (below ? 1 - beside_bound : 1 + beside_bound)))[k];
-      const auto outside = at(group.moved(other, bound * (below ? 1 + beside_bound : 1 - beside_bound)))[k];
+      const LetterValues before = group.moved(other, bound * (below ? 1 - beside_bound : 1 + beside_bound));
+      const LetterValues beyond = group.moved(other, bound * (below ? 1 + beside_bound : 1 - beside_bound));
+      if (!is_inside(before) || !is_inside(beyond)) continue;
+      const auto inside = at(before)[k], outside = at(beyond)[k];
       if (!inside.has_value() || !outside.has_value()) continue;
       if (!*inside || *outside) return std::nullopt;
       ++confirmed;
@@ -309,29 +387,20 @@ class Reach {
     return 0;
   }
 
+  const ReachTask& task_;
   const std::vector<HeldLaw>& laws_;
   const std::vector<Letter>& letters_;
   const LetterValues& base_;
-  const ScalingTrials::Solve& solve_;
   const LetterScan scan_;
-  const double tolerance_;
-  const std::function<bool(const LetterValues&)>& is_beyond_;
   double& misfit_;
-  const bool by_dimensions_;
-  const Work most_;
   WorkLimit limit_;
-  const Work each_;              // that a point may take
   std::vector<Tried> tried_;     // the base first
   std::vector<double> misfits_;  // of the laws at the point tried last
+  std::vector<Formula> inside_;  // what is positive where more conditions are sought
 };
 
 }  // namespace
 
-std::vector<LawReach> reach_of(const std::vector<HeldLaw>& laws, const std::vector<Letter>& letters,
-                               const LetterValues& base, const ScalingTrials::Solve& solve, double tolerance, Work most,
-                               const std::function<bool(const LetterValues&)>& is_beyond, bool by_dimensions, Work each,
-                               double& misfit) {
-  return Reach(laws, letters, base, solve, tolerance, most, is_beyond, by_dimensions, each, misfit).found();
-}
+std::vector<LawReach> reach_of(const ReachTask& task, double& misfit) { return Reach(task, misfit).found(); }
 
 }  // namespace poinsot::problem

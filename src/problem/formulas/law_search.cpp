@@ -16,6 +16,7 @@
 #include "problem/formulas/scaling_law.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/evaluate_support.h"
+#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -65,6 +66,10 @@ class LawSearch {
         for (const Unknown& unknown : task.unknowns)
           if (is_common(task.statement, unknown.name) ? i == 0 : is_own(task.statement, i, unknown.name))
             unknowns_.push_back({&unknown, i});
+    if (std::ranges::all_of(task.statement.asks, [](const Ask& ask) { return is_event(ask); })) return;
+    for (std::size_t i = 0; i < task.statement.situations.size(); ++i)
+      for (const Instant& instant : task.statement.situations[i].instants)
+        if (instant.found_when) events_.push_back({*instant.found_when, i, instant.name});
   }
 
   void run() {
@@ -100,6 +105,11 @@ class LawSearch {
                          [this](const LetterValues& letters) { return kept_answers_at(letters); });
     for (const std::size_t i : wanted) add_law(trials, i);
     for (std::size_t k = 0; k < unknowns_.size(); ++k) add_unknown(trials, k, names);
+    for (std::size_t k = 0; k < events_.size(); ++k)
+      static_cast<void>(why_no_formula([&] {
+        const std::size_t place = solution_.asks.size() + unknowns_.size() + k;
+        times_of_events_.push_back({place, scaling_law(trials, place, names).formula, true, {}});
+      }));
     hold_far_off(wanted, base, std::max(1e-6, 16 * error_), work_done() - begin);
   }
 
@@ -108,6 +118,22 @@ class LawSearch {
     const Unknown* unknown;
     std::size_t situation;
   };
+  // What happens at an instant of the statement.
+  struct Event {
+    Expression condition;
+    std::size_t situation;
+    std::string name;
+  };
+  // The places of the times of what happens at the instants of an ask.
+  std::vector<std::size_t> events_of(const Ask& ask) const {
+    std::set<std::string> names;
+    for (const Expression& expression : ask.of) collect_instants(expression, names);
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < events_.size(); ++k)
+      if (names.contains(events_[k].name)) places.push_back(solution_.asks.size() + unknowns_.size() + k);
+    return places;
+  }
+  static bool is_event(const Ask& ask) { return ask.when && ask.when->first; }
 
   std::vector<std::string> all_letters() const {
     std::vector<std::string> names;
@@ -184,22 +210,32 @@ class LawSearch {
   void hold_far_off(const std::vector<std::size_t>& wanted, const LetterValues& base, double tolerance, Work spent) {
     std::vector<HeldLaw> laws;
     for (const std::size_t i : wanted)
-      if (solution_.asks[i].formula) laws.push_back({i, *solution_.asks[i].formula});
-    for (const std::size_t i : fixed_) laws.push_back({i, as_formula(solution_.asks[i].value)});
+      if (const Ask& ask = task_.statement.asks[i]; solution_.asks[i].formula)
+        laws.push_back({i, *solution_.asks[i].formula, is_event(ask), events_of(ask)});
+    for (const std::size_t i : fixed_)
+      laws.push_back({i, as_formula(solution_.asks[i].value), false, events_of(task_.statement.asks[i])});
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       if (const SolvedUnknown* known = listed_unknown(k)) laws.push_back({solution_.asks.size() + k, *known->formula});
     if (laws.empty()) return;
+    const std::size_t told = laws.size();
+    laws.insert(laws.end(), times_of_events_.begin(), times_of_events_.end());
     double misfit = 0;
     const ScalingTrials::Solve solve = [this](const LetterValues& letters) {
       return within(each_there_, [&] { return kept_answers_at(letters); });
     };
     const ScalingTrials::Solve solve_there = [this](const LetterValues& letters) { return kept_answers_at(letters); };
     const Work most = std::max(spent, least_reach_work);
-    const std::vector<LawReach> reaches = reach_of(
-        laws, task_.open, base, solve_there, tolerance, most,
-        [this](const LetterValues& letters) { return is_beyond(letters); },
-        by_dimensions_ && fixed_.empty() && make_no_group(task_.open), each_there_, misfit);
-    for (std::size_t n = 0; n < laws.size(); ++n)
+    const auto sought_in_vain = [this](std::size_t answer, const LetterValues& at) -> std::optional<double> {
+      const auto known = in_vain_.find({answer, at});
+      return known == in_vain_.end() ? std::nullopt : std::optional(known->second);
+    };
+    const std::vector<LawReach> reaches =
+        reach_of({laws, task_.open, base, solve_there, tolerance, most, each_there_,
+                  [this](const LetterValues& letters) { return is_beyond(letters); }, sought_in_vain,
+                  by_dimensions_ && fixed_.empty() && make_no_group(task_.open)},
+                 misfit);
+    laws.resize(told);
+    for (std::size_t n = 0; n < told; ++n)
       if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
                         std::max(regimes_over_reach * most, least_regime_search)))
         take(laws[n], reaches[n]);
@@ -234,8 +270,15 @@ class LawSearch {
       }));
       return law;
     };
-    const auto regimes = law_regimes(first, reach.positive, task_.open, base, solve, find, tolerance, most);
+    const std::optional<Formula> bound = reach.positive.empty() ? std::nullopt : std::optional(reach.positive.back());
+    const auto regimes = law_regimes(first, bound, task_.open, base, solve, find, tolerance, most);
     if (!regimes) return false;
+    // Where something does not happen no law is told.
+    for (const LawRegime& regime : *regimes)
+      if (std::ranges::any_of(reach.not_there, [&](const LetterValues& there) {
+            return std::ranges::all_of(regime.positive, [&](const Formula& one) { return value_at(one, there) > 0; });
+          }))
+        return false;
     ask.formula = regimes->front().law;
     ask.formula_road = road;
     ask.state = AskState::needs_letters;
@@ -256,13 +299,21 @@ class LawSearch {
     return true;
   }
   void take(const HeldLaw& law, const LawReach& reach) {
-    if (!reach.fails && reach.untried.empty()) return;
     const bool of_ask = law.answer < solution_.asks.size();
     const std::string name =
         of_ask ? task_.statement.asks[law.answer].name : unknowns_[law.answer - solution_.asks.size()].unknown->name;
-    if (reach.positive) {
-      solution_.assumptions.push_back(formula_words(*reach.positive) + " > 0 for '" + name + "'");
-      solution_.grounds.push_back({solution_.assumptions.back(), *reach.positive});
+    if (reach.told || !reach.fails)
+      for (const Formula& positive : reach.positive) {
+        const bool of_time = law.of_event || !law.at_events.empty();
+        const std::string words = of_time ? condition_words(positive, task_.open) : formula_words(positive) + " > 0";
+        solution_.assumptions.push_back(words + " for '" + name + "'");
+        solution_.grounds.push_back({solution_.assumptions.back(), positive, words, {}});
+        if (of_ask) solution_.grounds.back().asks = {law.answer};
+      }
+    if (reach.told && reach.untried.empty()) return;
+    if (!reach.told && !reach.fails) {
+      solution_.assumptions.push_back("the letters are such that there is an answer to '" + name +
+                                      "': there is none at " + values_in_words(task_.open, reach.not_there.front()));
       return;
     }
     if (!of_ask) {
@@ -330,7 +381,7 @@ class LawSearch {
   }
   // The answers of the asks, followed by the unknowns.
   ScalingTrials::Answers answers_at(const LetterValues& letters) {
-    ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size());
+    ScalingTrials::Answers answers(solution_.asks.size() + unknowns_.size() + events_.size());
     const std::optional<AllSettings> settings = settings_at(letters);
     if (!settings || !is_assumed(task_.statement, *settings))
       fail(task_.statement.file, {1, 1}, "nothing is found at other values of the letters, or they are not assumed");
@@ -349,12 +400,21 @@ class LawSearch {
                                   : asked_value(sample, ask);
         // Modes are a table of numbers of several kinds.
         if (is_record(*answers[i]) || records_of(*answers[i])) answers[i].reset();
+      } catch (const NotHappeningError& error) {
+        in_vain_[{i, letters}] = error.until();
       } catch (const StatementError&) {
         continue;
       }
     }
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       answers[solution_.asks.size() + k] = (*settings)[unknowns_[k].situation].at(unknowns_[k].unknown->name);
+    for (std::size_t k = 0; k < events_.size(); ++k) try {
+        const double time =
+            sample.motion(events_[k].situation).times(events_[k].condition, std::nullopt, 0, {}).front();
+        answers[solution_.asks.size() + unknowns_.size() + k] = Value<double>::of_number(time, dimensions::time);
+      } catch (const StatementError&) {
+        // What it then is at that instant has no answer either.
+      }
     if (!confirmed_by_particles(sample)) throw NoFormula("the check on particles does not confirm its numbers");
     return answers;
   }
@@ -398,6 +458,10 @@ class LawSearch {
   const std::vector<OneSidedForce>& forces_;
   Solution& solution_;
   std::vector<Sought> unknowns_;
+  std::vector<Event> events_;  // whose times tell where what is asked at their instants has an answer
+  std::vector<HeldLaw> times_of_events_;
+  // How far it was looked, by the place of an answer and the letters, for what does not happen.
+  std::map<std::pair<std::size_t, LetterValues>, double> in_vain_;
   std::vector<std::size_t> fixed_;   // asks over a motion that no letter was seen to change
   std::optional<std::size_t> root_;  // the index of this solution's root, in ascending order
   std::size_t roots_ = 0;

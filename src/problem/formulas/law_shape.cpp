@@ -192,7 +192,7 @@ std::optional<Formula> simple_coefficient(double number, double tolerance) {
 }
 
 std::optional<Formula> known_coefficient(double number, double tolerance) {
-  if (const auto simple = simple_coefficient(number, tolerance)) return simple;
+  if (auto simple = simple_coefficient(number, tolerance)) return simple;
   if (!(tolerance <= closest_known)) return std::nullopt;
   const Formula gravity = Formula::number(std::string(standard_gravity_digits));
   const Formula sign(number < 0 ? -1 : 1);

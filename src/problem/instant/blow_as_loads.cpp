@@ -6,6 +6,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/units.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -16,6 +17,36 @@ Expression times(const Expression& one, const Expression& other) { return built(
 Expression in_a_second(const Expression& size) {
   const Expression second = built(Number{1, si_unit(dimensions::time), true, "1 s"}, size.mark());
   return built(Binary{'/', size, second}, size.mark());
+}
+
+// Leaves out all forces and what has no impulse; those of constraints stay.
+void leave_out_forces(Situation& loads, const Mark& mark) {
+  loads.impulses.clear();
+  loads.strikes.clear();
+  for_each_law_list(loads, [](auto& laws) { laws.clear(); });
+  loads.stages.clear();
+  std::erase_if(loads.contacts, &Contact::in_joint);
+  loads.gravity = built(Name{"none"}, mark);
+  loads.central_gravity.reset();
+  for (Joint& joint : loads.joints) {
+    joint.friction.reset();
+    for (Freedom& freedom : joint.freedoms) {
+      freedom.effort.reset();
+      freedom.stiffness.reset();
+      freedom.damping.reset();
+      freedom.friction.reset();
+    }
+  }
+}
+
+Load& add_load(Situation& loads, const std::string& name, const std::string& body, const Mark& mark) {
+  Load load;
+  load.name = name;
+  load.body = body;
+  load.mark = load.body_mark = load.axes_mark = mark;
+  load.axes = "ground";
+  loads.loads.push_back(std::move(load));
+  return loads.loads.back();
 }
 
 }  // namespace
@@ -39,28 +70,9 @@ Situation blow_as_loads(const Situation& situation) {
   }
   const std::optional<Situation> changed = with_absorbed_particles(situation);
   Situation loads = changed ? *changed : situation;
-  loads.impulses.clear();
-  loads.strikes.clear();
-  for_each_law_list(loads, [](auto& laws) { laws.clear(); });
-  loads.stages.clear();
-  std::erase_if(loads.contacts, &Contact::in_joint);
-  loads.gravity = built(Name{"none"}, rough->mark);
-  loads.central_gravity.reset();
-  for (Joint& joint : loads.joints)
-    for (Freedom& freedom : joint.freedoms) {
-      freedom.effort.reset();
-      freedom.stiffness.reset();
-      freedom.damping.reset();
-      freedom.friction.reset();
-    }
+  leave_out_forces(loads, rough->mark);
   const auto add = [&](const std::string& name, const std::string& body, const Mark& mark) -> Load& {
-    Load load;
-    load.name = name;
-    load.body = body;
-    load.mark = load.body_mark = load.axes_mark = mark;
-    load.axes = "ground";
-    loads.loads.push_back(std::move(load));
-    return loads.loads.back();
+    return add_load(loads, name, body, mark);
   };
   for (const Impulse& impulse : situation.impulses) {
     Load& load = add(impulse.name, impulse.body, impulse.mark);
@@ -85,6 +97,28 @@ Situation blow_as_loads(const Situation& situation) {
   rest.rest = true;
   rest.mark = rough->mark;
   loads.instants = {rest};
+  return loads;
+}
+
+Situation momenta_as_loads(const Situation& situation, const std::vector<StatedMomentum>& momenta) {
+  Situation loads = situation;
+  const Mark mark{1, 1};
+  leave_out_forces(loads, mark);
+  loads.impacts.clear();
+  const auto vector = [&](const Vector3<double>& size, const Dimension& dimension) {
+    List parts;
+    for (std::size_t k = 0; k < 3; ++k)
+      parts.items.push_back(built(Number{size[k], si_unit(dimension), true, with_digits(size[k], 17)}, mark));
+    return built(std::move(parts), mark);
+  };
+  for (StatedMomentum one : momenta) {
+    // In a plane no other momentum can change: of the rest there is at most rounding, or what holds a body there takes
+    // it.
+    for (std::size_t k = 0; situation.plane && k < 3; ++k)
+      (k == situation.plane->normal() ? one.linear : one.angular)[k] = 0;
+    add_load(loads, "momentum of " + one.body, one.body, mark).force = vector(one.linear, dimensions::force);
+    add_load(loads, "angular momentum of " + one.body, one.body, mark).couple = vector(one.angular, dimensions::moment);
+  }
   return loads;
 }
 

@@ -26,13 +26,6 @@ constexpr double on_line = 1e-8;
 // Directions that differ by less are one: what Newton's method leaves of a direction that was sought.
 constexpr double one_direction = 1e-7;
 
-template <class Content>
-Expression expression_of(Content content) {
-  return {std::make_shared<const Node>(Node{std::move(content), {}, 3})};
-}
-
-Expression number_expression(double value) { return expression_of(Number{value, {}, false, with_digits(value, 17)}); }
-
 class StateSearch {
  public:
   // reached: the state of a motion; null for what is stated of the start.
@@ -140,7 +133,10 @@ class StateSearch {
         normals_.resize(contacts_.size());
         normals_[k] = instant.rough_normal(k);
         axes_.resize(contacts_.size());
-        if (!contacts_[k]->touches()) axes_[k] = instant.machine().rough_contacts[k].motions[1].along.vector;
+        const RoughContactOf<double>& rough = instant.machine().rough_contacts[k];
+        if (!contacts_[k]->touches() && !rough.all_ways) axes_[k] = rough.motions[1].along.vector;
+        in_space_.resize(contacts_.size());
+        in_space_[k] = rough.all_ways && rough.ways.size() != 2;
       }
       return slips;
     };
@@ -161,6 +157,7 @@ class StateSearch {
   ContactState state(std::size_t k, Grip grip, const Vector3<double>& d) const {
     ContactState state{contacts_[k]->name,      number_, grip, {}, grip == Grip::slides && !(norm(slips_[k]) > 0),
                        !contacts_[k]->touches()};
+    state.sought = contacts_[k]->all_ways;
     if (grip == Grip::slides)
       state.slip =
           axes_[k] ? joint_direction(*contacts_[k], dot(d, *axes_[k]) < 0) : direction_expression(normalized(d));
@@ -198,7 +195,9 @@ class StateSearch {
   Vector3<double> across(std::size_t k) const {
     if (axes_[k]) return *axes_[k];
     const Vector3<double>& n = normals_[k];
-    if (situation_.plane) return normalized(cross(n, Vector3<double>::unit(situation_.plane->normal())));
+    if (situation_.plane && in_space_[k]) return Vector3<double>::unit(situation_.plane->normal());
+    if (situation_.plane && contacts_[k]->touches())
+      return normalized(cross(n, Vector3<double>::unit(situation_.plane->normal())));
     return normalized(cross(n, std::abs(n.x) < 0.9 ? Vector3<double>{1, 0, 0} : Vector3<double>{0, 1, 0}));
   }
 
@@ -304,6 +303,9 @@ class StateSearch {
     for (std::size_t sense = 0; sense < senses; ++sense) {
       for (std::size_t i = 0; i < starting.size(); ++i) put(i, (sense >> i & 1 ? -1.0 : 1.0) * lines[i]);
       const std::vector<Vector3<double>> slip = solve(states).slip;
+      // What slips neither without friction nor by its own is held by the others, as by two that stick.
+      const auto held = [&](std::size_t k) { return !(norm(free[k]) > 0) && !(norm(slip[k]) > 0); };
+      if (std::ranges::any_of(starting, held)) return;
       for (std::size_t i = 0; i < starting.size(); ++i)
         on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= on_line * norm(slip[starting[i]]);
       keep_if_held(states);
@@ -316,7 +318,9 @@ class StateSearch {
       return;
     }
     held_.directions_sought = held_.directions_sought || (!on_lines && starting.size() > 1);
-    if (starting.size() == 1)
+    if (starting.size() == 1 && in_space_[starting.front()])
+      turn_in_space(std::move(states), starting.front(), lines.front());
+    else if (starting.size() == 1)
       turn_around(std::move(states), starting.front());
     else
       seek_from_lines(std::move(states), starting, lines);
@@ -370,9 +374,44 @@ class StateSearch {
     }
   }
 
+  // A ball, which turns about any axis: Newton's method for what slips across a direction, from both senses of the
+  // line.
+  void turn_in_space(States states, std::size_t k, const Vector3<double>& line) {
+    constexpr int most_steps = 40;
+    constexpr double close = 1e-13, aside = 1e-6, longest = 0.5;  // as for several contacts
+    for (const double sense : {1.0, -1.0}) {
+      Vector3<double> d = sense * line;
+      const auto off = [&](const Vector3<double>& direction) {
+        states[k] = state(k, Grip::slides, direction);
+        const Vector3<double> slip = solve(states).slip[k];
+        const double size = norm(slip);
+        return size > 0 ? (slip - dot(slip, direction) * direction) / size : Vector3<double>{};
+      };
+      for (int step = 0; step < most_steps; ++step) {
+        const Vector3<double> a = normalized(cross(d, Vector3<double>::unit(std::abs(d.x) < 0.9 ? 0 : 1))),
+                              b = cross(d, a);
+        const Vector3<double> here = off(d);
+        if (norm(here) < close) break;
+        const Vector3<double> by_a = (off(normalized(d + aside * a)) - here) / aside,
+                              by_b = (off(normalized(d + aside * b)) - here) / aside;
+        Eigen::MatrixXd J(2, 2);
+        J << dot(by_a, a), dot(by_b, a), dot(by_a, b), dot(by_b, b);
+        Eigen::VectorXd change(2);
+        change << dot(here, a), dot(here, b);
+        change = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(J).solve(change).eval();
+        if (const double size = change.norm(); size > longest) change *= longest / size;
+        d = normalized(d - change[0] * a - change[1] * b);
+      }
+      off(d);
+      keep_if_held(states);
+    }
+  }
+
   // Several contacts: Newton's method for their directions, from both senses of each line.
   void seek_from_lines(States states, const std::vector<std::size_t>& starting,
                        const std::vector<Vector3<double>>& lines) {
+    // Directions are told by an angle about the normal, of which a ball has none.
+    if (std::ranges::any_of(starting, [&](std::size_t k) { return in_space_[k]; })) return;
     const std::size_t count = starting.size();
     const auto take = [&](const std::vector<double>& angles) {
       for (std::size_t i = 0; i < count; ++i)
@@ -423,6 +462,7 @@ class StateSearch {
   std::vector<const Contact*> contacts_;
   std::vector<Vector3<double>> slips_, normals_;      // as drawn
   std::vector<std::optional<Vector3<double>>> axes_;  // of friction in joints, as drawn
+  std::vector<bool> in_space_;                        // of each, whether its slip may have any direction in space
   std::vector<bool> leaves_;                          // of each contact, whether it comes apart already
   HeldStates held_;
   std::vector<bool> whole_;  // of each combination that holds: whether no smooth contact pulls and no cord pushes
@@ -431,30 +471,6 @@ class StateSearch {
 };
 
 }  // namespace
-
-Expression direction_expression(const Vector3<double>& d) {
-  return expression_of(List{{number_expression(d.x), number_expression(d.y), number_expression(d.z)}});
-}
-
-Expression named_direction(const std::string& name, bool opposite) {
-  const Expression named = expression_of(Name{name});
-  return opposite ? expression_of(Unary{'-', named}) : named;
-}
-
-Expression joint_direction(const Contact& friction, bool opposite) {
-  return opposite ? expression_of(Unary{'-', friction.normal}) : friction.normal;
-}
-
-void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states) {
-  for (const ContactState& state : states)
-    for (Contact& contact : situation.contacts)
-      if (state.situation == number && contact.name == state.contact) {
-        contact.grip = state.grip;
-        contact.slip = state.slip;
-        contact.from_rest = state.from_rest;
-        contact.slip_turns = false;
-      }
-}
 
 HeldStates states_that_hold(const Situation& situation, std::size_t number, const Settings& settings, bool lines_only,
                             const std::vector<std::string>& sticking) {
@@ -469,17 +485,6 @@ HeldStates states_that_hold(const Situation& situation, std::size_t number, cons
 
 std::vector<ContactState> states_at_start(const Situation& situation, std::size_t number, const Settings& settings) {
   return StateSearch(situation, number, settings, true).at_start();
-}
-
-Situation with_states_open(const Situation& situation) {
-  Situation open = situation;
-  for (Contact& contact : open.contacts) {
-    if (contact.flies) continue;
-    contact.grip = Grip::unknown;
-    contact.slip.reset();
-    contact.from_rest = contact.slip_turns = false;
-  }
-  return open;
 }
 
 bool leaves_limits(const Situation& situation, const Settings& settings) {

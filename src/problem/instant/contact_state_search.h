@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "problem/instant/contact_state_words.h"
 #include "problem/instant/instant.h"
 #include "problem/results/solution.h"
 
@@ -21,16 +22,6 @@ struct HeldStates {
   std::vector<std::string> doubts;             // combinations that could not be judged, and why
   bool directions_sought = false;              // whether slips in space were sought from several starts
 };
-
-// A direction as an expression: by its components as drawn, or by a name.
-Expression direction_expression(const Vector3<double>& d);
-Expression named_direction(const std::string& name, bool opposite);
-
-// The axis of a joint with friction, in whose sense `to` moves or in the opposite one.
-Expression joint_direction(const Contact& friction, bool opposite);
-
-// The situation with its contacts in these states; those that name another situation are passed over.
-void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states);
 
 // number: the place of the situation in its statement. lines_only: whether slips in space are left out. Throws
 // StatementError where the statement leaves open how the contacts slip. sticking: contacts of which no other state is
@@ -50,9 +41,6 @@ HeldStates states_that_hold(const Situation& situation, std::size_t number, cons
 
 // Contacts that slip sliding, those at rest sticking, whether that holds or not. Throws like states_that_hold().
 std::vector<ContactState> states_at_start(const Situation& situation, std::size_t number, const Settings& settings);
-
-// The situation with all states of contacts still to be found.
-Situation with_states_open(const Situation& situation);
 
 // Whether none of the contacts that begin to slide, in the states in which they are, could stay with the friction that
 // it has at rest.

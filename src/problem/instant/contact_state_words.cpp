@@ -2,14 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
-#include "problem/instant/contact_state_search.h"
+#include "problem/entries/read_joints.h"
+#include "problem/keys/joint_kinds.h"
+#include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
+
+template <class Content>
+Expression expression_of(Content content) {
+  return {std::make_shared<const Node>(Node{std::move(content), {}, 3})};
+}
 
 constexpr double same_line = 1e-12;  // as unit vectors
 
@@ -26,6 +34,43 @@ bool take_same(ContactState& state, const std::vector<Expression>& directions, D
 }
 
 }  // namespace
+
+Expression number_expression(double value) { return expression_of(Number{value, {}, false, with_digits(value, 17)}); }
+
+Expression direction_expression(const Vector3<double>& d) {
+  return expression_of(List{{number_expression(d.x), number_expression(d.y), number_expression(d.z)}});
+}
+
+Expression named_direction(const std::string& name, bool opposite) {
+  const Expression named = expression_of(Name{name});
+  return opposite ? expression_of(Unary{'-', named}) : named;
+}
+
+Expression joint_direction(const Contact& friction, bool opposite) {
+  return opposite ? expression_of(Unary{'-', friction.normal}) : friction.normal;
+}
+
+void put_in_states(Situation& situation, std::size_t number, const std::vector<ContactState>& states) {
+  for (const ContactState& state : states)
+    for (Contact& contact : situation.contacts)
+      if (state.situation == number && contact.name == state.contact) {
+        contact.grip = state.grip;
+        contact.slip = state.slip;
+        contact.from_rest = state.from_rest;
+        contact.slip_turns = false;
+      }
+}
+
+Situation with_states_open(const Situation& situation) {
+  Situation open = situation;
+  for (Contact& contact : open.contacts) {
+    if (contact.flies) continue;
+    contact.grip = Grip::unknown;
+    contact.slip.reset();
+    contact.from_rest = contact.slip_turns = false;
+  }
+  return open;
+}
 
 std::string words_of(const ContactState& state, const std::vector<double>& along) {
   const bool in_joint = state.in_joint;
@@ -54,7 +99,12 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
     return cord + (state.from_rest ? "begins to slip" : "slips") + wheel +
            (state.slip->as<Unary>() ? ", against the way it is led" : ", the way it is led");
   }
-  if (!state.slip || !state.slip->as<List>() || state.in_joint) return words_of(state);
+  if (!state.has_direction() || !state.slip->as<List>()) return words_of(state);
+  // Of a sleeve the direction is one on its surface, unrolled.
+  if (stated->all_ways &&
+      rubbing_joint(situation.joints, state.contact).joint.kind->common_slip == CommonSlip::along_and_round)
+    return "joint '" + state.contact + (state.from_rest ? "' begins to move" : "' moves") +
+           " against its friction, along and round at once";
   ContactState named = state;
   if (name_direction(named, situation, settings)) return words_of(named);
   const Vector3<double> d = DataScope<double>(situation, settings, 0).direction(*state.slip);
@@ -93,18 +143,56 @@ bool name_line(ContactState& state, const Situation& situation, const Settings& 
 }
 
 std::vector<Expression> lines_across(const Situation& situation, const Contact& contact) {
-  const auto made = [](auto content) -> Expression {
-    return {std::make_shared<const Node>(Node{std::move(content), {}, 3})};
-  };
   std::vector<Expression> lines;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (situation.plane && (axis == situation.plane->first || axis == situation.plane->second)) continue;
-    const Expression name = made(Name{situation.axes[axis]});
-    const Expression line = made(Call{"cross", {{"", contact.normal}, {"with", name}}});
+    const Expression name = expression_of(Name{situation.axes[axis]});
+    const Expression line = expression_of(Call{"cross", {{"", contact.normal}, {"with", name}}});
     lines.push_back(line);
-    lines.push_back(made(Unary{'-', line}));
+    lines.push_back(expression_of(Unary{'-', line}));
   }
   return lines;
+}
+
+std::vector<ContactState> possible_states(const Situation& situation, std::size_t i, const Contact& contact,
+                                          const Settings& settings) {
+  std::vector<ContactState> states{{contact.name, i, Grip::sticks, {}, false, !contact.touches()}};
+  if (situation.steady || contact.of_belt) return states;
+  if (!contact.touches() && !contact.all_ways) {
+    for (const bool opposite : {false, true})
+      states.push_back({contact.name, i, Grip::slides, joint_direction(contact, opposite), false, !contact.touches()});
+    return states;
+  }
+  DataScope<double> data(situation, settings, 0);
+  const CommonSlip slip =
+      contact.all_ways ? rubbing_joint(situation.joints, contact.name).joint.kind->common_slip : CommonSlip::none;
+  if (slip == CommonSlip::along_and_round)
+    fail(situation.file, contact.friction->mark,
+         "unknowns are not found beside " + contact.words() + ", which slips along and round at once",
+         "give the unknowns values, or state a friction of its own for each of its freedoms");
+  // A ball turns about any axis.
+  const std::optional<Vector3<double>> n =
+      slip == CommonSlip::turning ? std::optional(Vector3<double>{}) : direction_told(data, contact.normal);
+  std::vector<Expression> directions = named_directions(situation);
+  const std::size_t named = directions.size();
+  std::ranges::copy(lines_across(situation, contact), std::back_inserter(directions));
+  std::vector<Vector3<double>> known;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    // Where the normal depends on an unknown, only lines across it that are told by it are sure to lie across it.
+    if (n) {
+      const std::optional<Vector3<double>> d = direction_told(data, directions[k]);
+      constexpr double rounding = 1e-9;  // of directions that data tell: which lie across the normal, and which are one
+      if (!d || std::abs(dot(*d, *n)) > rounding ||
+          std::ranges::any_of(known, [&](const Vector3<double>& other) { return norm(other - *d) < rounding; }))
+        continue;
+      known.push_back(*d);
+    } else if (k < named) {
+      continue;
+    }
+    states.push_back({contact.name, i, Grip::slides, directions[k], false, contact.in_joint, false, contact.all_ways});
+  }
+  if (contact.touches()) states.push_back({contact.name, i, Grip::parts, {}, false, false});
+  return states;
 }
 
 bool are_same(const std::vector<ContactState>& a, const std::vector<ContactState>& b) {

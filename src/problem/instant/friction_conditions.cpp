@@ -48,16 +48,22 @@ std::vector<StateCondition> state_conditions(const solve::MechanismStateOf<Formu
     }
     if (contact.grip == Grip::sticks) {
       std::vector<Formula> parts;
-      for (std::size_t k = 1; k < 3; ++k)
-        if (const Formula part = dot(force.friction, state.direction(contact.motions[k].along)); !part.is_zero())
-          parts.push_back(part);
+      const auto add_part = [&](const Direction<Formula>& along) {
+        if (const Formula part = dot(force.friction, state.direction(along)); !part.is_zero()) parts.push_back(part);
+      };
+      if (contact.in_joint())
+        for (const RubbingWay<Formula>& way : contact.ways) add_part(way.along);
+      else
+        for (std::size_t k = 1; k < 3; ++k) add_part(contact.motions[k].along);
       const Formula limit = contact.resting * force.push;
       if (parts.size() == 1) {
         for (const int sign : {1, -1})
           if (seen_sign(Formula(sign) * parts.front()).sign <= 0)
             add(Holding::sticks, limit + Formula(sign) * parts.front());
-      } else if (parts.size() == 2) {
-        add(Holding::sticks, limit * limit - parts[0] * parts[0] - parts[1] * parts[1]);
+      } else if (!parts.empty()) {
+        Formula left = limit * limit;
+        for (const Formula& part : parts) left -= part * part;
+        add(Holding::sticks, left);
       }
       continue;
     }
@@ -67,7 +73,8 @@ std::vector<StateCondition> state_conditions(const solve::MechanismStateOf<Formu
     const Vector3<Formula> off = cross(slip, along);
     for (const Formula& part : {off.x, off.y, off.z})
       if (!part.is_zero())
-        throw NoFormula("the direction in which contact '" + contact.name + "' slides changes with the letters");
+        throw NoFormula(std::string("the direction in which ") + (contact.in_joint() ? "joint '" : "contact '") +
+                        contact.name + "' slides changes with the letters");
     add(Holding::slides, dot(slip, along));
   }
   return conditions;

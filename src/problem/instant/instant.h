@@ -138,6 +138,7 @@ class SolvedInstant {
   // Goes from the state just before the blow to the one just after it.
   void strike() { solve_blow(); }
   bool after_blow() const { return before_.has_value(); }
+  const std::vector<double>& velocities_before() const { return before_->state().v; }  // the blow
   const solve::LinearSolution& blow() const { return blow_solution_; }
   const solve::Blow& struck() const { return blow_; }
   const std::optional<RoughBlow>& rough_blow() const { return rough_blow_; }
@@ -271,6 +272,7 @@ class SolvedInstant {
   void release(const std::vector<bool>& acting);
   void turn_slips();
   double misfit_in_joint(const RoughContactOf<double>& contact) const;
+  double misfit_in_all_ways(const RoughContactOf<double>& contact, const Joint& joint, const Friction& stated) const;
   double misfit_on_cord(const RoughContactOf<double>& contact, double slip, double slip_rate, double force_size) const;
   std::vector<VelocityConstraint<double>> ways_of_contacts() const;
   Vector3<double> slip_of(const solve::ContactRate* way, int from, bool change) const;

@@ -44,11 +44,15 @@ void add_rates(const InstantView<Scalar>& view, const std::vector<StatedRateOf<S
 template <class Scalar>
 void add_joint_friction(const InstantView<Scalar>& view, StatedConditions<Scalar>& conditions) {
   for (const RoughContactOf<Scalar>& contact : view.machine.rough_contacts) {
-    if (!contact.rubs_by_load()) continue;
-    const Dimension dimension = contact.turning ? dimensions::moment : dimensions::force;
-    conditions.add({"friction of joint '" + contact.name + "'", friction_by_load(view.mechanism_state, contact),
-                    contact.effort_known.value_or(Scalar(0)), natural_unit(view.scales, dimension)},
-                   {std::ranges::find(view.situation.contacts, contact.name, &Contact::name)->friction->mark});
+    if (!contact.found_with_reactions()) continue;
+    const Mark& mark = std::ranges::find(view.situation.contacts, contact.name, &Contact::name)->friction->mark;
+    for (const RubbingWay<Scalar>& way : contact.ways) {
+      const bool couple = view.machine.mechanism.drives[way.drive].turning;
+      conditions.add({"friction of joint '" + contact.name + "'", friction_by_load(view.mechanism_state, contact, way),
+                      effort_without_load(view.mechanism_state, contact, way),
+                      natural_unit(view.scales, couple ? dimensions::moment : dimensions::force)},
+                     {mark});
+    }
   }
 }
 

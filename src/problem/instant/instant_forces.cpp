@@ -310,6 +310,11 @@ Vector3<double> SolvedInstant::rough_normal(std::size_t contact) const {
 RoughMotion<double> SolvedInstant::rough_motion_as_drawn(std::size_t contact, bool accelerations) const {
   const RoughContactOf<double>& rough = machine_.rough_contacts[contact];
   RoughMotion<double> motion = rough_motion(*mechanism_state_, rough, accelerations);
+  if (rough.all_ways) {
+    motion.slip =
+        direction_on_body(machine_.mechanism.tree, mechanism_state_->workspace(), rough.normal.body, motion.slip);
+    return motion;
+  }
   Vector3<double> slip{};
   for (const std::size_t k : {1, 2})
     slip += dot(motion.slip, direction_now(*mechanism_state_, rough, rough.motions[k].along)) *

@@ -97,10 +97,11 @@ void SolvedInstant::turn_slips() {
   for (std::size_t k = 0; k < machine_.rough_contacts.size(); ++k) {
     RoughContactOf<double>& contact = machine_.rough_contacts[k];
     const bool curved = contact.motions.front().kind == VelocityConstraintKind::touching;
-    if (contact.grip != Grip::slides || contact.coordinate >= 0 || !(contact.turns || curved)) continue;
+    if (contact.grip != Grip::slides || !(contact.turns || curved)) continue;
     const Vector3<double> slip = contact.turns ? rough_motion_as_drawn(k, false).slip : contact.slip->vector;
     if (!(norm(slip) > 0)) continue;
     contact.slip->vector = normalized(slip);
+    if (contact.in_joint()) continue;
     Vector3<double> along = along_sliding_force(contact);
     if (curved) {
       const int from = contact.normal.body;

@@ -1,7 +1,7 @@
-// Friction in joints that follows from what they carry, while they move: the couple or force M of each with the
-// reactions on which it depends, M + s m (|V1| + |V2| + ...) = 0 (quantities/joint_pressing.h).
+// Friction in joints that follows from what they carry, while they move: the couple or force M of each along its slip
+// with the reactions on which it depends, M + m (|V1| + |V2| + ...) = 0 (quantities/joint_pressing.h).
 //
-// The reactions are linear in the frictions, so that h(x) = x - m |V(x)|, with x = |M| of a single joint, is concave
+// The reactions are linear in the frictions, so that h(x) = x - m |V(x)|, with x = -M of a single joint, is concave
 // and starts at or below zero. Newton's method from x = 0 rises to the smallest root, or finds a slope that has none.
 // With a = m |dV/dx| there is just one root for a < 1; for a > 1 there is none or there are two (as of Painleve's rod,
 // and of guides that jam). Several joints have one solution where the matrix of the a has no eigenvalue of one or more.
@@ -38,7 +38,7 @@ double bound_on_eigenvalues(const std::vector<std::vector<double>>& a) {
 void SolvedInstant::find_pressing() {
   std::vector<RoughContactOf<double>*> moving;
   for (RoughContactOf<double>& contact : machine_.rough_contacts)
-    if (contact.rubs_by_load()) moving.push_back(&contact);
+    if (contact.found_with_reactions()) moving.push_back(&contact);
   if (moving.empty()) return;
   constexpr int most_steps = 60;  // far more than Newton's method needs where there is a root
   // Between two directions, weighed by the largest force: what the friction is wrong by is of its square.
@@ -93,30 +93,29 @@ void SolvedInstant::require_known_pressing(const solve::LinearSolution& solution
 // By how much what presses in each joint changes with the friction of each.
 void SolvedInstant::refuse_several_frictions(const std::vector<RoughContactOf<double>*>& moving) {
   const auto friction_of = [&](const RoughContactOf<double>& contact, const std::vector<double>& unknowns) {
-    return dot(rough_force(*mechanism_state_, unknowns, contact).friction,
-               mechanism_state_->direction(contact.motions[1].along));
+    return dot(rough_force(*mechanism_state_, unknowns, contact).friction, mechanism_state_->direction(*contact.slip));
   };
   const std::vector<double> found = motion_equations_.solve().value;
   std::vector<std::vector<Vector3<double>>> here;
   for (RoughContactOf<double>* contact : moving) {
     here.push_back(pressing_in(*mechanism_state_, found, *contact));
-    contact->effort_known = friction_of(*contact, found);
+    contact->friction_known = friction_of(*contact, found);
   }
   std::vector<std::vector<double>> a(moving.size(), std::vector<double>(moving.size()));
   for (std::size_t j = 0; j < moving.size(); ++j) {
-    const double before = *moving[j]->effort_known;
+    const double before = *moving[j]->friction_known;
     const double more = natural_size(moving[j]->turning ? dimensions::moment : dimensions::force);
     if (!(more > 0)) continue;
-    moving[j]->effort_known = before + more;
+    moving[j]->friction_known = before + more;
     assemble_motion_equations();
     const std::vector<double> there = motion_equations_.solve().value;
-    moving[j]->effort_known = before;
+    moving[j]->friction_known = before;
     for (std::size_t i = 0; i < moving.size(); ++i) {
       const std::vector<Vector3<double>> V = pressing_in(*mechanism_state_, there, *moving[i]);
       for (std::size_t k = 0; k < V.size(); ++k) a[i][j] += moving[i]->sliding * norm(V[k] - here[i][k]) / more;
     }
   }
-  for (RoughContactOf<double>* contact : moving) contact->effort_known.reset();
+  for (RoughContactOf<double>* contact : moving) contact->friction_known.reset();
   assemble_motion_equations();
   constexpr double less_than_one = 1 - 1e-9;  // beyond the rounding of what presses
   if (bound_on_eigenvalues(a) < less_than_one) return;

@@ -10,11 +10,11 @@
 namespace poinsot::problem {
 namespace {
 
-// The rate of a joint at rest may be rounding, beside which its own size is none.
-solve::MechanismState with_joint_at_rest(const solve::MechanismState& state, int coordinate) {
+// The rates of a joint at rest may be rounding, beside which their own size is none.
+solve::MechanismState with_joint_at_rest(const solve::MechanismState& state, const RoughContactOf<double>& joint) {
   solve::MechanismState at_rest = state;
   std::vector<double> v = state.state().v;
-  v[static_cast<std::size_t>(coordinate)] = 0;
+  for (const RubbingWay<double>& way : joint.ways) v[static_cast<std::size_t>(way.coordinate)] = 0;
   at_rest.set_velocities(v);
   at_rest.set_accelerations(state.accelerations());
   return at_rest;
@@ -90,9 +90,9 @@ std::vector<SolvedInstant::OneSidedFault> SolvedInstant::one_sided_faults(double
                                   !(dot(rough_motion(*mechanism_state_, contact, true).slip,
                                         direction_now(*mechanism_state_, contact, *contact.slip)) > 0);
     std::optional<solve::MechanismState> at_rest;
-    if (!moving_ && contact.coordinate >= 0 && contact.grip == Grip::slides &&
+    if (!moving_ && contact.in_joint() && contact.grip == Grip::slides &&
         !(norm(rough_motion(*mechanism_state_, contact, false).slip) > begins * speed))
-      at_rest.emplace(with_joint_at_rest(*mechanism_state_, contact.coordinate));
+      at_rest.emplace(with_joint_at_rest(*mechanism_state_, contact));
     if (slips && !begins_otherwise &&
         stays_in_state(at_rest ? *at_rest : *mechanism_state_, unknowns_, contact, size, begins * speed, off_line) &&
         !slips_in_truth(*mechanism_state_, unknowns_, contact, size))

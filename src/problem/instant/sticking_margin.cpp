@@ -9,7 +9,7 @@ namespace poinsot::problem {
 std::optional<StickingForces> sticking_forces(const SolvedInstant& instant) {
   const Machine& machine = instant.machine();
   for (const RoughContactOf<double>& contact : machine.rough_contacts)
-    if (contact.grip == Grip::sticks && (contact.of_belt || contact.on_cord() || contact.coordinate >= 0))
+    if (contact.grip == Grip::sticks && (contact.of_belt || contact.on_cord() || contact.in_joint()))
       return std::nullopt;
   const std::size_t first = solve::force_unknowns(machine.mechanism).accelerations;
   StickingForces forces{instant.one_sided_unknowns(first), instant.friction_cones(first)};

@@ -40,6 +40,14 @@ struct JointWords {
   std::string to, from, place, through;
 };
 
+// In which ways a joint of several freedoms slips on one surface, so that one friction is against them all together.
+enum class CommonSlip {
+  none,
+  turning,          // of a ball in its socket, about any axis
+  along_plane,      // of two slides
+  along_and_round,  // of a sleeve on its post
+};
+
 struct JointKind {
   std::string name;  // its key
   JointGiven given = JointGiven::point;
@@ -48,6 +56,7 @@ struct JointKind {
   std::string (*words)(const JointWords&) = nullptr;
   bool any_turning = false;  // whether it turns about its point in any way, or by angles that the author orders
   bool advances = false;     // whether turning moves it along its axis, by a pitch
+  CommonSlip common_slip = CommonSlip::none;
 
   bool slides() const;
 };

@@ -29,7 +29,7 @@ class VectorsOfPlane {
       } else if (key && key->type == KeyType::vector) {
         complete(value);
       } else if (object == "problem" && name.text == "expect") {
-        continue;
+        complete_expected(value);
       } else if (key && key->type == KeyType::named && !key->object_name.empty()) {
         for (auto& [each, map] : value.members) {
           complete_map(map, key->object_name);
@@ -67,6 +67,14 @@ class VectorsOfPlane {
       complete_text(name.text, true);
       complete_within(value);
     }
+  }
+  // Of answers that are known, a list by itself has the components that are shown; where they come from is told in
+  // words.
+  void complete_expected(Entry& entry) const {
+    if (entry.is_scalar()) complete_text(entry.text, true);
+    for (Entry& item : entry.items) complete_expected(item);
+    for (auto& [name, value] : entry.members)
+      if (name.text != "source") complete_expected(value);
   }
   // Lists of two within an expression, as in 'A + [a, b]'; those of max([a, b]) and the like are lists of numbers.
   // within: leaves a list alone that is the whole text.

@@ -45,6 +45,9 @@ constexpr std::size_t longest_word = 80;
 
 }  // namespace
 
+NotHappeningError::NotHappeningError(std::string file, Mark mark, std::string message, std::string hint, double until)
+    : UnansweredError(std::move(file), mark, std::move(message), std::move(hint)), until_(until) {}
+
 void fail(const std::string& file, Mark mark, std::string message, std::string hint) {
   throw StatementError(Diagnostic{file, mark, std::move(message), std::move(hint)});
 }

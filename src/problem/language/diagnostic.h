@@ -55,6 +55,18 @@ class UnansweredError : public StatementError {
   using StatementError::StatementError;
 };
 
+// What is asked for does not happen, as far as the motion goes or was followed.
+class NotHappeningError : public UnansweredError {
+ public:
+  NotHappeningError(std::string file, Mark mark, std::string message, std::string hint, double until);
+
+  // How far it was looked for, s; infinite if the motion or what is asked of it ends there.
+  double until() const { return until_; }
+
+ private:
+  double until_;
+};
+
 // What is stated contradicts itself.
 class ContradictionError : public StatementError {
  public:

@@ -48,7 +48,8 @@ namespace {
 std::string with_own_argument(const std::string& example, const Call& call) {
   const std::size_t open = example.find('(');
   const bool simple = call.arguments.size() == 1 && example.find_first_of("( ", open + 1) == std::string::npos;
-  return simple ? example.substr(0, open + 1) + to_string(call.arguments.front().value) + ")" : example;
+  if (!simple) return example;
+  return example.substr(0, open + 1) + to_string(call.arguments.front().value) + example.substr(example.find(')'));
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ const At* first_at(const Expression& expression) {
   return found;
 }
 
+void collect_instants(const Expression& expression, std::set<std::string>& names) {
+  if (const At* at = expression.as<At>()) names.insert(at->names.begin(), at->names.end());
+  for_each_child(expression, [&](const Expression& child) { collect_instants(child, names); });
+}
+
 void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at) {
   note_nodes(expression, into_at, [&](const Expression& node) {
     if (const Name* name = node.as<Name>()) names.insert(name->name);

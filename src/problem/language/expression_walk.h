@@ -93,6 +93,9 @@ Expression transformed(const Expression& expression, const Change& change) {
 // The first `@` in the order of writing, nullptr if there is none. Those within another `@` do not count.
 const At* first_at(const Expression& expression);
 
+// Adds the names after every @ in it.
+void collect_instants(const Expression& expression, std::set<std::string>& names);
+
 // Collects the names in an expression; those before an @ only if `into_at`.
 void collect_names(const Expression& expression, std::set<std::string>& names, bool into_at = true);
 

@@ -139,7 +139,7 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
 
 std::string undefined_name_hint(const std::string& name, const std::vector<std::string>& known) {
   if (is_unit_name(name)) return "it is a unit too: one stands behind its number and a blank, as in 3 m/s or 180 rpm";
-  if (const std::string hint = did_you_mean(name, known); !hint.empty()) return hint;
+  if (std::string hint = did_you_mean(name, known); !hint.empty()) return hint;
   const std::string unit = nearest(name, unit_names());
   return unit.empty() ? "" : "if a unit is meant, write '" + unit + "'; if a datum, define it under given: or letters:";
 }

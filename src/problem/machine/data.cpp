@@ -138,6 +138,53 @@ Value<double> read_setting(const Situation& situation, const std::string& name, 
   return value;
 }
 
+namespace {
+
+// Values for all that a situation leaves open, no two alike, so that no difference of them vanishes.
+Settings some_values(const Situation& situation) {
+  Settings settings;
+  double size = 1;
+  const auto next = [&](const Unit& unit) { return unit.factor * (size += 0.137); };
+  for (const Letter& letter : situation.letters)
+    settings[letter.name] = Value<double>::of_number(next(letter.unit), letter.unit.dimension);
+  for (const Unknown& unknown : situation.find) {
+    const double x = next(unknown.unit), y = next(unknown.unit), z = next(unknown.unit);
+    settings[unknown.name] = unknown.vector ? Value<double>::of_vector({x, y, z}, unknown.unit.dimension)
+                                            : Value<double>::of_number(x, unknown.unit.dimension);
+  }
+  for (const Choice& choice : situation.choose) {
+    std::vector<Value<double>> names;
+    for (const std::string& name : choice.of) names.push_back(Value<double>::of_text(name));
+    settings[choice.name] = Value<double>::of_list(std::move(names));
+  }
+  return settings;
+}
+
+}  // namespace
+
+void check_every_datum(const Statement& statement) {
+  // By place in the file: what is wrong in all situations so far; nothing once it makes sense in one.
+  std::map<std::pair<int, int>, std::optional<StatementError>> faults;
+  for (const Situation& situation : statement.situations) {
+    const Settings settings = some_values(situation);
+    DataScope<double> data(situation, settings);
+    for (const auto* items : {&situation.given, &situation.points, &situation.directions})
+      for (const NamedExpression& item : *items) {
+        const std::pair place{item.mark.line, item.mark.column};
+        try {
+          data.value(item.value);
+          faults[place].reset();
+        } catch (const DomainError&) {
+          faults[place].reset();
+        } catch (const StatementError& error) {
+          faults.try_emplace(place, error);
+        }
+      }
+  }
+  for (const auto& [place, fault] : faults)
+    if (fault) throw StatementError(*fault);
+}
+
 Value<Dual<1>> as_variable(const Value<double>& value, std::size_t component) {
   Value<Dual<1>> varied = lifted<Dual<1>>(value);
   (value.is_vector() ? varied.vector[component] : varied.number).partial[0] = 1;

@@ -89,6 +89,11 @@ class DataScope : public Scope<Scalar> {
   std::vector<Pending> pending_;
 };
 
+// Evaluates every datum, point and direction of a statement, whether something uses it or not: letters and unknowns at
+// some values, data with values. Throws StatementError for one that makes sense in no situation, as a unit or a name
+// that is misspelt; that there is no value for the data at hand is told where it is used.
+void check_every_datum(const Statement& statement);
+
 // A number, or one component of a vector, as the variable of differentiation.
 Value<Dual<1>> as_variable(const Value<double>& value, std::size_t component = 0);
 

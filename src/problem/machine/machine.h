@@ -93,13 +93,23 @@ inline constexpr const char* hold_of_plane = "the plane";
 // of which the coefficient times |V| resists (quantities/joint_pressing.h).
 template <class Scalar>
 struct PressingPart {
-  enum class Form { across, along, end, thread };
+  enum class Form { across, along, end, thread, whole };
   Form form = Form::across;
   int action = 0;                         // whose forces press
   Scalar lever{1};                        // m for couples; of a guide 1
   Scalar over_length{};                   // of an end at which it bears: 1/L or -1/L, for the couple that it carries
   Scalar own{};                           // of a thread: what the couple of the friction itself adds
   std::optional<Vector3<Scalar>> toward;  // V/|V|, on ground axes, as it was found last
+};
+
+// One way in which a joint with friction moves, as fast as a velocity coordinate tells. Its friction is like a motor of
+// its own.
+template <class Scalar>
+struct RubbingWay {
+  int coordinate = 0;
+  std::size_t drive = 0;    // its place among the drives
+  Direction<Scalar> along;  // of its slip; the ways of a joint are across one another
+  Scalar arm{1};            // m, for a turning that slips with a slide on one surface
 };
 
 // A contact with dry friction, in the state of it that is tried.
@@ -115,10 +125,12 @@ struct RoughContactOf {
   std::optional<Direction<Scalar>> slip;  // of `on` over `from`, if it slides
   bool turns = false;                     // whether that is found anew from the velocities at each instant
   double off_line = 0;                    // m/s: else how fast it may slip across that line for all that a motion tells
-  // Of friction in a joint: its velocity coordinate, and whether it turns. Its coefficients are couples or forces, as
-  // of a contact that presses with one unit; its axis stands in the second of `motions`.
-  int coordinate = -1;
+  // Of friction in a joint: the ways in which it slips, and whether its friction is a couple. Its coefficients are
+  // couples or forces, as of a contact that presses with one unit; its axis stands in the second of `motions`.
+  std::vector<RubbingWay<Scalar>> ways{};
   bool turning = false;
+  // Whether its friction is against a slip that may take any direction of these ways, and not along one axis.
+  bool all_ways = false;
   // Of a cord or belt on a wheel or post (engine/dynamics/capstan.h): the action of its straight part behind that,
   // where `action` is of the part before it; the coefficients of friction, of which `resting` and `sliding` are tanh(mu
   // beta/2) as drawn; and the angle beta as drawn. Its slip, the way the cord is led, is what the spans of the second
@@ -130,14 +142,13 @@ struct RoughContactOf {
   // coefficients are pure numbers, and what presses altogether stands in place of the unit.
   std::vector<PressingPart<Scalar>> pressing{};
   Place<Scalar> at{};
-  std::size_t drive = 0;               // its place among the drives
-  std::optional<Scalar> effort_known;  // while it moves: given in place of the law
+  std::optional<Scalar> friction_known;  // along its slip while it moves: given in place of the law
 
   bool on_cord() const { return behind >= 0; }
-  // Whether its couple or force while it moves is found with the reactions.
-  bool rubs_by_load() const { return !pressing.empty() && grip == Grip::slides; }
-  // Whether it moves in the sense of its axis.
-  bool goes_forward() const { return plain(dot(slip->vector, motions[1].along.vector)) > 0; }
+  bool in_joint() const { return !ways.empty(); }
+  // Whether its couple or force while it moves is found with the reactions: by its size, or by its direction, whose
+  // parts along its ways turn with them.
+  bool found_with_reactions() const { return (!pressing.empty() || all_ways) && grip == Grip::slides; }
 };
 
 // A straight part of a cord, belt or chain that is led over wheels, between two of these or of its ends as the

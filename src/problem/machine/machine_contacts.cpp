@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "poinsot/engine/math/algebra/plain.h"
-#include "problem/entries/read_joints.h"
-#include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/words.h"
@@ -103,167 +100,7 @@ bool is_fixed_point(const MachineDraft<Scalar>& draft, const Contact& contact, c
        "of a wheel state its axis alone; a blade belongs to a body that is not round where it touches");
 }
 
-// A length by which friction acts in a joint.
-template <class Scalar>
-Scalar size_in_bearing(MachineDraft<Scalar>& draft, const Contact& contact, const Expression& stated, bool may_vanish) {
-  Scalar size = draft.data.number(stated, dimensions::length);
-  if (!draft.options.lenient && !(plain(size) > 0 || (may_vanish && plain(size) == 0)))
-    fail(draft.situation.file, stated.mark(),
-         contact.words() + " has a bearing " + (may_vanish ? "of negative size" : "without size"),
-         "write a length above zero");
-  return size;
-}
-
-// What presses in a joint whose friction follows from a coefficient. A journal of radius r bears the force across its
-// axis, a collar that along it, a guide that across its direction. Where a length L is stated it bears at two ends,
-// with half of the force on each and the couple that it carries divided by L; where supports are, with the force on
-// each. Of a thread with the lead h for a radian, t = h/r, a = atan t, and the flank at the angle b to a square one,
-// tan b_n = cos a tan b, the push N of the flank and the friction F along it follow from the force X along the axis and
-// the friction's own couple M by
-//   F = M cos a / r,   N = (X / cos a - M sin a / r) / cos b_n,
-// so that |F| = m N is |M| = m |r (1 + t^2) X - t M| / cos b_n.
-template <class Scalar>
-std::vector<PressingPart<Scalar>> pressing_parts(MachineDraft<Scalar>& draft, const Contact& contact,
-                                                 const Joint& joint) {
-  using Part = PressingPart<Scalar>;
-  const Bearing& bearing = *contact.friction->bearing;
-  std::vector<Part> parts;
-  const auto size = [&](const std::optional<Expression>& stated, bool may_vanish) {
-    return stated ? size_in_bearing(draft, contact, *stated, may_vanish) : Scalar(1);
-  };
-  const Scalar radius = size(bearing.radius, !joint.kind->advances);
-  const std::vector<Action>& actions = draft.machine.mechanism.actions;
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    const bool whole = actions[i].kind == ActionKind::joint && actions[i].name == joint.name;
-    if (!whole && !(actions[i].kind == ActionKind::support && actions[i].joint == joint.name)) continue;
-    Part part;
-    part.action = static_cast<int>(i);
-    if (joint.kind->advances) {
-      if (!whole)
-        fail(draft.situation.file, contact.friction->mark,
-             contact.words() + " is a screw with supports, among which its thread is not told apart",
-             "leave out supports:, or the friction");
-      const Scalar t = pitch_of(draft, joint) / radius;
-      Scalar over_cosine(1);
-      if (bearing.thread_angle) {
-        const Scalar angle = draft.data.number(*bearing.thread_angle, dimensions::angle);
-        if (!draft.options.lenient && !(plain(angle) >= 0 && plain(angle) < std::numbers::pi))
-          fail(draft.situation.file, bearing.thread_angle->mark(),
-               contact.words() + " has flanks that do not stand between 0 and 180 deg to each other",
-               "write the angle between the flanks, such as thread_angle: 29 deg");
-        using std::tan, std::sqrt;
-        const Scalar flank = tan(angle / Scalar(2));
-        over_cosine = sqrt(Scalar(1) + flank * flank / (Scalar(1) + t * t));
-      }
-      part.form = Part::Form::thread;
-      part.lever = over_cosine * radius * (Scalar(1) + t * t);
-      part.own = -over_cosine * t;
-      parts.push_back(part);
-      continue;
-    }
-    if (bearing.length && !whole)
-      fail(draft.situation.file, bearing.length->mark(),
-           contact.words() + " states supports and a length between its ends",
-           "its supports bear it: leave out length:, or supports:");
-    if (bearing.radius || !joint.freedoms.front().turning) {
-      part.lever = radius;
-      if (bearing.length) {
-        part.form = Part::Form::end;
-        part.over_length = Scalar(1) / size(bearing.length, false);
-        parts.push_back(part);
-        part.over_length = -part.over_length;
-      }
-      parts.push_back(part);
-    }
-    if (!bearing.thrust_radius) continue;
-    part.form = Part::Form::along;
-    part.lever = size(bearing.thrust_radius, true);
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-// Friction in a joint acts like a motor beside that of the joint: of unknown effort while it holds or follows from the
-// load, else against the rate.
-template <class Scalar>
-void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& contact) {
-  std::vector<Drive<Scalar>>& drives = draft.machine.mechanism.drives;
-  const auto [joint, freedom] = rubbing_freedom(draft.situation.joints, contact.name);
-  const std::string& named = joint.freedoms[freedom].name;
-  const std::string driven = joint.name + (named.empty() ? "" : "." + named);
-  const auto motor = std::ranges::find_if(drives, [&](const Drive<Scalar>& drive) {
-    return draft.machine.mechanism.actions[static_cast<std::size_t>(drive.action)].name == driven;
-  });
-  if (motor == drives.end())
-    fail(draft.situation.file, contact.friction->mark,
-         contact.words() + " closes a loop, and friction in such a joint is not solved",
-         "state the joint before those that hold both its bodies, or the friction at another joint of the loop");
-  Drive<Scalar> rubbing = *motor;
-  const bool by_load = contact.friction->bearing.has_value();
-  rubbing.held = contact.grip == Grip::sticks || (by_load && contact.grip == Grip::slides);
-  rubbing.effort = rubbing.stiffness = rubbing.free_position = rubbing.damping = Scalar(0);
-  const auto [resting, sliding] = friction_of(draft, contact,
-                                              by_load           ? dimensions::none
-                                              : rubbing.turning ? dimensions::moment
-                                                                : dimensions::force);
-  rubbing.action = draft.add_action(ActionKind::friction, contact.name, joint.name, draft.body(contact.of),
-                                    draft.body(contact.against));
-  RoughContactOf<Scalar> rough;
-  rough.name = contact.name;
-  rough.action = rubbing.action;
-  rough.grip = contact.grip;
-  rough.resting = resting;
-  rough.sliding = sliding;
-  rough.coordinate = rubbing.coordinate;
-  rough.turning = rubbing.turning;
-  rough.at = rubbing.at;
-  rough.drive = drives.size();
-  if (by_load) rough.pressing = pressing_parts(draft, contact, joint);
-  const auto [one, other] = across(rubbing.along.vector);
-  rough.normal = {rubbing.along.body, one};
-  rough.motions[1].along = rubbing.along;
-  rough.motions[2].along = {rubbing.along.body, other};
-  if (contact.grip == Grip::sticks)
-    draft.machine.accelerations.push_back(
-        {contact.words() + " held by its friction", rubbing.coordinate, Scalar(0), rubbing.turning, contact.mark});
-  if (contact.grip == Grip::slides) {
-    const Vector3<Scalar> d = draft.data.direction(*contact.slip);
-    const bool forward = plain(dot(d, rubbing.along.vector)) > 0;
-    rough.slip = {rubbing.along.body, forward ? rubbing.along.vector : -rubbing.along.vector};
-    if (!by_load) rubbing.effort = forward ? -sliding : sliding;
-  }
-  drives.push_back(rubbing);
-  draft.machine.rough_contacts.push_back(std::move(rough));
-}
-
 }  // namespace
-
-template <class Scalar>
-std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact, const Dimension& dimension) {
-  const bool is_coefficient = !contact.in_joint || contact.friction->bearing;
-  if (!is_coefficient && draft.data.value(contact.friction->resting).dimension == dimensions::none &&
-      draft.data.value(contact.friction->resting).is_number() && !draft.options.lenient)
-    fail(draft.situation.file, contact.friction->mark,
-         contact.words() + " states a pure number as its friction, which here is a " +
-             (dimension == dimensions::moment ? "couple" : "force"),
-         dimension == dimensions::moment ? "write a couple, or {coefficient: 0.1, radius: 20 mm}"
-                                         : "write a force, or {coefficient: 0.2}");
-  const Scalar resting = draft.data.number(contact.friction->resting, dimension),
-               sliding = draft.data.number(contact.friction->sliding, dimension);
-  const auto refuse = [&](const std::string& message, const std::string& hint) {
-    fail(draft.situation.file, contact.friction->mark, contact.words() + " " + message, hint);
-  };
-  if (!draft.options.lenient) {
-    if (!(plain(resting) >= 0) || !(plain(sliding) >= 0))
-      refuse(std::string("has a negative ") + (is_coefficient ? "coefficient of friction" : "friction"),
-             std::string("friction resists: write ") + (is_coefficient ? "a coefficient" : "one") +
-                 " that is zero or positive");
-    if (plain(sliding) > plain(resting))
-      refuse("has more friction while it slides than at rest",
-             "static: is the larger of the two, or both are the same");
-  }
-  return {resting, sliding};
-}
 
 template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
@@ -423,9 +260,6 @@ void add_contact(MachineDraft<Scalar>& draft, const Contact& contact) {
   draft.machine.constraint_joints.resize(first + held);
 }
 
-template std::pair<double, double> friction_of(MachineDraft<double>&, const Contact&, const Dimension&);
-template std::pair<Dual<1>, Dual<1>> friction_of(MachineDraft<Dual<1>>&, const Contact&, const Dimension&);
-template std::pair<Formula, Formula> friction_of(MachineDraft<Formula>&, const Contact&, const Dimension&);
 template void add_contact(MachineDraft<double>&, const Contact&);
 template void add_contact(MachineDraft<Dual<1>>&, const Contact&);
 template void add_contact(MachineDraft<Formula>&, const Contact&);

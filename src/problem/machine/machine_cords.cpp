@@ -17,7 +17,8 @@ namespace {
 template <class Scalar>
 Scalar beyond_figure(const MachineDraft<Scalar>& draft, const Cord& cord, const Scalar& drawn) {
   if (!cord.length) return Scalar(0);
-  const Scalar length = draft.data.number(*cord.length, dimensions::length), more = length - drawn;
+  const Scalar length = draft.data.number(*cord.length, dimensions::length);
+  Scalar more = length - drawn;
   constexpr double as_long = 1e-9;  // of its length: places computed from the data have the rounding of some steps
   if (vanishes(more) || std::abs(plain(more)) <= as_long * plain(drawn)) return Scalar(0);
   if (!decided_negative(more)) return more;

@@ -134,6 +134,8 @@ void add_joint_actions(MachineDraft<Scalar>& draft, const Joint& joint);
 template <class Scalar>
 std::pair<Scalar, Scalar> friction_of(MachineDraft<Scalar>& draft, const Contact& contact, const Dimension& dimension);
 template <class Scalar>
+void add_friction_in_joint(MachineDraft<Scalar>& draft, const Contact& friction);
+template <class Scalar>
 void add_contact(MachineDraft<Scalar>& draft, const Contact& contact);
 template <class Scalar>
 void add_cord(MachineDraft<Scalar>& draft, const Cord& cord);

@@ -108,9 +108,4 @@ class ShapeArguments {
   bool particles_;
 };
 
-// The solid inside a mesh that the statement has read. The origin of the file's coordinates lies at p_OM. Throws
-// NoFormula where the numbers must be exact.
-template <class Scalar>
-ShapeValues<Scalar> mesh_shape(const ShapeArguments<Scalar>& arguments, const Vector3<Scalar>& p_OM);
-
 }  // namespace poinsot::problem

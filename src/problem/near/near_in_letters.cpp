@@ -44,9 +44,7 @@ void require_tree(const InstantInLetters& instant) {
 
 SteadyFormulas motion_of(const InstantInLetters& instant) {
   require_tree(instant);
-  const auto motion = steady_formulas(instant.situation, instant.machine, instant.q, instant.v, instant.numbers);
-  if (!motion) throw NoFormula("a massless turning that is no coordinate has no formula");
-  return *motion;
+  return steady_formulas(instant.situation, instant.machine, instant.q, instant.v, instant.numbers);
 }
 
 LinearisedFormulas equations_of(const SteadyFormulas& motion, const std::vector<std::size_t>& free) {
@@ -75,7 +73,13 @@ void add_rates_of(const std::vector<Formula>& c, bool of_square, std::vector<Rat
     add((-c[1] - root) / twice);
     return add((-c[1] + root) / twice);
   }
-  if (of_square) throw NoFormula("its rates are complex, of a polynomial of the fourth degree");
+  if (of_square) {
+    // The square z = p + i q of a rate and its conjugate: the rates are the four roots of both.
+    const Formula size = sqrt(c[0] / c[2]), p = -c[1] / twice;
+    const Formula growth = sqrt((size + p) / Formula(2)), frequency = sqrt((size - p) / Formula(2));
+    for (const int sign : {1, -1}) rates.push_back({Formula(sign) * growth, frequency});
+    return;
+  }
   rates.push_back({-c[1] / twice, sqrt(-square) / (decided_negative(twice) ? -twice : twice)});
 }
 

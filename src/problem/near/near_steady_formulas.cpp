@@ -9,11 +9,11 @@ namespace poinsot::problem {
 namespace {
 
 FormulaMatrix product(const FormulaMatrix& A, const FormulaMatrix& B) {
-  FormulaMatrix C = zeros(A.size());
+  FormulaMatrix C(A.size(), std::vector<Formula>(B.empty() ? 0 : B.front().size()));
   for (std::size_t i = 0; i < A.size(); ++i)
-    for (std::size_t k = 0; k < A.size(); ++k) {
+    for (std::size_t k = 0; k < B.size(); ++k) {
       if (A[i][k].is_zero()) continue;
-      for (std::size_t j = 0; j < A.size(); ++j)
+      for (std::size_t j = 0; j < B[k].size(); ++j)
         if (!B[k][j].is_zero()) C[i][j] += A[i][k] * B[k][j];
     }
   return C;
@@ -21,7 +21,7 @@ FormulaMatrix product(const FormulaMatrix& A, const FormulaMatrix& B) {
 FormulaMatrix sum(const FormulaMatrix& A, const FormulaMatrix& B, int sign = 1) {
   FormulaMatrix C = A;
   for (std::size_t i = 0; i < A.size(); ++i)
-    for (std::size_t j = 0; j < A.size(); ++j) C[i][j] += Formula(sign) * B[i][j];
+    for (std::size_t j = 0; j < A[i].size(); ++j) C[i][j] += Formula(sign) * B[i][j];
   return C;
 }
 Vector3<Formula> center_of(const SpatialInertia<Formula>& I) {
@@ -69,16 +69,14 @@ bool vanishes(const FormulaMatrix& A) {
   });
 }
 
-std::optional<SteadyFormulas> steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
-                                              const std::vector<Formula>& q, const std::vector<Formula>& v,
-                                              const Machine& numbers) {
+SteadyFormulas steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
+                               const std::vector<Formula>& q, const std::vector<Formula>& v, const Machine& numbers) {
   SteadyFormulas motion{machine, q, v, situation.steady ? machine.index.at(situation.steady->frame) : ground, {}, 0};
   for (const auto& rate : machine.accelerations) motion.held.push_back(rate.velocity);
-  // What moves no mass is left out where it is a coordinate by itself.
-  for (const solve::UnseenMotion& unseen : unseen_motions(numbers.mechanism, numbers.q, motion.held)) {
-    if (std::ranges::count(unseen.along, 0.0) + 1 < std::ssize(unseen.along)) return std::nullopt;
+  // Deviations that differ by a motion that moves no mass are the same. Of these the one is looked at in which the
+  // coordinate by which that motion is known does not deviate.
+  for (const solve::UnseenMotion& unseen : unseen_motions(numbers.mechanism, numbers.q, motion.held))
     motion.held.push_back(unseen.coordinate);
-  }
   std::sort(motion.held.begin(), motion.held.end());
   motion.held.erase(std::unique(motion.held.begin(), motion.held.end()), motion.held.end());
   return motion;
@@ -107,30 +105,40 @@ LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<st
   const State<Formula> state{motion.q, motion.v};
   const std::vector<Formula> left = solve::remainder_of(mechanism, state, a, {}).forces;
   for (const std::size_t i : free) result.unrest.push_back(left[i]);
+  // Axes that turn with a body carry deviations of its free coordinates over to one that does not deviate itself, whose
+  // velocity then does.
+  const FormulaMatrix drift = sum(D, S, -1);
+  std::vector<std::size_t> carried = free;
+  for (std::size_t k = 0; k < n; ++k)
+    if (std::ranges::find(free, k) == free.end() && !(vanishes({drift[k]}) && vanishes({S[k]}))) carried.push_back(k);
   const solve::RemainderSlopes<Formula> slopes(mechanism, state, a, {});
   FormulaMatrix by_position = zeros(n), by_velocity = zeros(n);
-  for (const std::size_t k : free) {
-    const std::vector<Formula> moved = slopes.by_position(k).forces, hastened = slopes.by_velocity(k).forces;
-    for (const std::size_t i : free) {
-      by_position[i][k] = moved[i];
-      by_velocity[i][k] = hastened[i];
-    }
+  for (const std::size_t k : carried) {
+    const std::vector<Formula> hastened = slopes.by_velocity(k).forces;
+    for (const std::size_t i : free) by_velocity[i][k] = hastened[i];
   }
-  const auto of_free = [&](const FormulaMatrix& A) {
-    FormulaMatrix part;
-    for (const std::size_t i : free) {
-      part.emplace_back();
-      for (const std::size_t k : free) part.back().push_back(A[i][k]);
+  for (const std::size_t k : free) {
+    const std::vector<Formula> moved = slopes.by_position(k).forces;
+    for (const std::size_t i : free) by_position[i][k] = moved[i];
+  }
+  const auto part = [](const FormulaMatrix& A, const std::vector<std::size_t>& rows,
+                       const std::vector<std::size_t>& columns) {
+    FormulaMatrix some;
+    for (const std::size_t i : rows) {
+      some.emplace_back();
+      for (const std::size_t k : columns) some.back().push_back(A[i][k]);
     }
-    return part;
+    return some;
   };
   // With y = (l - S + D) x the deviations of the velocities, M (l - S) y + r_v y + r_q x = 0.
-  const FormulaMatrix spin = of_free(S), drift = of_free(sum(D, S, -1));
-  const FormulaMatrix M = of_free(solve::mass_rows(mechanism.tree, motion.q)), Rv = of_free(by_velocity);
-  result.M = M;
-  result.C = sum(product(M, sum(drift, spin, -1)), Rv);
-  result.K = sum(sum(product(Rv, drift), product(product(M, spin), drift), -1), of_free(by_position));
-  result.follows_spin = !vanishes(spin) || !vanishes(drift);
+  const FormulaMatrix all_mass = solve::mass_rows(mechanism.tree, motion.q);
+  const FormulaMatrix M = part(all_mass, free, carried), Rv = part(by_velocity, free, carried);
+  const FormulaMatrix spin = part(S, carried, free), all_spin = part(S, carried, carried);
+  const FormulaMatrix carries = part(drift, carried, free);
+  result.M = part(all_mass, free, free);
+  result.C = sum(product(M, sum(carries, spin, -1)), part(by_velocity, free, free));
+  result.K = sum(sum(product(Rv, carries), product(product(M, all_spin), carries), -1), part(by_position, free, free));
+  result.follows_spin = !vanishes(spin) || !vanishes(carries);
   return result;
 }
 

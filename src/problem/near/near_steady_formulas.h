@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,9 @@ struct SteadyFormulas {
 };
 
 // That of a mechanism without constraints, in a frame of the situation or at rest. numbers: the same machine in
-// numbers. Nothing if massless turning is no coordinate by itself.
-std::optional<SteadyFormulas> steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
-                                              const std::vector<Formula>& q, const std::vector<Formula>& v,
-                                              const Machine& numbers);
+// numbers.
+SteadyFormulas steady_formulas(const Situation& situation, const MachineOf<Formula>& machine,
+                               const std::vector<Formula>& q, const std::vector<Formula>& v, const Machine& numbers);
 
 std::vector<std::size_t> free_coordinates(const SteadyFormulas& motion);
 

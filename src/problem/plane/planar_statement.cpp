@@ -41,11 +41,16 @@ void restrict_fact(const PlanarWords& words, Fact& fact) {
   if (pointing == Pointing::in_plane) fact.value = words.as_vector(fact.value, built(Name{"any"}, fact.value.mark()));
 }
 
+// A list by itself is one of several things.
+bool is_vector(const PlanarWords& words, const Expression& asked) {
+  return !asked.as<List>() && words.pointing(asked) == Pointing::in_plane;
+}
+
 void restrict_ask(const PlanarWords& words, Ask& ask) {
   std::vector<Expression> asked;
   for (const Expression& stated : ask.of) {
     const Expression one = words.as_number(stated);
-    if (words.pointing(one) != Pointing::in_plane) {
+    if (!is_vector(words, one)) {
       asked.push_back(one);
     } else if (ask.is_list) {
       asked.push_back(built(List{words.components(one)}, one.mark()));
@@ -61,7 +66,7 @@ void restrict_ask(const PlanarWords& words, Ask& ask) {
   if (ask.table)
     for (NamedExpression& column : ask.table->columns) {
       column.value = words.as_number(column.value);
-      if (words.pointing(column.value) == Pointing::in_plane)
+      if (is_vector(words, column.value))
         column.value = built(List{words.components(column.value)}, column.value.mark());
     }
 }

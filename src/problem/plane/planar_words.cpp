@@ -64,11 +64,17 @@ Pointing PlanarWords::of_call(const Call& call, int depth) const {
   const std::string_view f = call.function;
   if (call.arguments.empty()) return Pointing::none;
   const Expression& first = call.arguments.front().value;
-  // Of a joint that turns it is a couple.
-  if (const Name* name = first.as<Name>(); name && f == "friction")
-    for (const Joint& joint : situation_.joints)
-      if (joint.name == name->name && !joint.freedoms.empty() && joint.freedoms.front().turning)
-        return Pointing::normal;
+  // Of a joint that turns, or of a freedom that does, it is a couple.
+  if (f == "friction") {
+    const Of* freedom = first.as<Of>();
+    const Name* name = (freedom ? freedom->body : first).as<Name>();
+    for (const Joint& joint : situation_.joints) {
+      if (!name || joint.name != name->name) continue;
+      if (!freedom && (joint.freedoms.empty() || joint.freedoms.front().turning)) return Pointing::normal;
+      for (const Freedom& one : joint.freedoms)
+        if (freedom && one.turning && to_string(freedom->point) == one.name) return Pointing::normal;
+    }
+  }
   if (one_of(f, in_plane)) return Pointing::in_plane;
   if (one_of(f, along_normal)) {
     if (f != "axis") return Pointing::normal;
@@ -106,6 +112,8 @@ Pointing PlanarWords::pointing(const Expression& expression, int depth) const {
   if (const At* at = expression.as<At>()) return pointing(at->expression, depth + 1);
   if (const Unary* unary = expression.as<Unary>()) return pointing(unary->operand, depth + 1);
   if (expression.as<Arrow>() || expression.as<Of>()) return Pointing::in_plane;
+  // Two components that were written, completed by the one across the plane.
+  if (const List* list = expression.as<List>()) return list->items.size() == 3 ? Pointing::in_plane : Pointing::none;
   if (const Binary* binary = expression.as<Binary>()) {
     if (binary->operation == '^') return Pointing::none;
     const Pointing left = pointing(binary->left, depth + 1);

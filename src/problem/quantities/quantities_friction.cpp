@@ -1,6 +1,8 @@
 // Dry friction: how contacts slip, stick and part, and what rubs.
 #include <algorithm>
 
+#include "problem/entries/read_joints.h"
+#include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/language/words.h"
@@ -16,6 +18,29 @@ namespace {
 bool is_named(const Expression& what) {
   const Of* of = what.as<Of>();
   return plain_name(what) || (of && plain_name(of->point) && plain_name(of->body));
+}
+
+// Whether it names one freedom of a joint whose friction is against several of them together, slide of post.
+template <class Base>
+bool is_way_of(const Expression& what, const RoughContactOf<Base>& contact) {
+  const Of* of = what.as<Of>();
+  return contact.all_ways && of && plain_name(of->point) && plain_name(of->body) &&
+         plain_name(of->body)->name == contact.name;
+}
+
+// That freedom among the ways of the joint; null if it is none of them.
+template <class Base>
+const RubbingWay<Base>* way_named(const Situation& situation, const RoughContactOf<Base>& contact,
+                                  const Expression& what) {
+  if (!is_way_of(what, contact)) return nullptr;
+  const Joint& joint = rubbing_joint(situation.joints, contact.name).joint;
+  std::size_t way = 0;
+  for (const Freedom& freedom : joint.freedoms) {
+    if (joint.kind->common_slip == CommonSlip::along_plane && freedom.turning) continue;
+    if (freedom.name == plain_name(what.as<Of>()->point)->name) return &contact.ways[way];
+    ++way;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -54,8 +79,10 @@ template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Evaluator<Scalar>& evaluator) {
   const Expression& what = call.arguments[0].value;
   const std::vector<RoughContactOf<Base>>& rough = machine_.rough_contacts;
-  const auto found = std::ranges::find_if(
-      rough, [&](const RoughContactOf<Base>& contact) { return is_named(what) && is_about(call, contact.name); });
+  const auto found = std::ranges::find_if(rough, [&](const RoughContactOf<Base>& contact) {
+    return (is_named(what) && is_about(call, contact.name)) ||
+           (call.function == "friction" && way_named(situation_, contact, what));
+  });
   const auto flying = std::ranges::find_if(situation_.contacts, [&](const Contact& contact) {
     return contact.flies && plain_name(what) && plain_name(what)->name == contact.name;
   });
@@ -102,7 +129,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
                    "write " + call.function + "(" + contact.name + ")");
   }
   const Action& action = machine_.mechanism.actions[static_cast<std::size_t>(contact.action)];
-  if (contact.coordinate >= 0 && (call.function == "slip_velocity" || call.function == "normal_force"))
+  if (contact.in_joint() && (call.function == "slip_velocity" || call.function == "normal_force"))
     evaluator.fail(what.mark(), "'" + contact.name + "' is a joint, whose friction has no " + call.function,
                    "ask for friction(" + contact.name + " on ...) or for the rate of the joint");
   if (call.function == "slip_velocity") {
@@ -151,9 +178,19 @@ Value<Scalar> QuantityScope<Scalar, Base>::friction(const Call& call, const Eval
         evaluator.fail(on->mark(), "'" + contact.name + "' does not act on '" + to_string(*on) + "'");
     }
     const Base sign(body == action.on ? 1 : -1);
-    if (contact.coordinate >= 0) {
-      const Vector couple = lifted<Scalar>(sign * force.friction);
-      return vector_value(couple, contact.turning ? dimensions::moment : dimensions::force);
+    if (contact.in_joint()) {
+      const RubbingWay<Base>* way = way_named(situation_, contact, what);
+      const auto& drives = machine_.mechanism.drives;
+      const auto turns = [&](const RubbingWay<Base>& one) { return drives[one.drive].turning; };
+      const bool couple = way ? turns(*way) : contact.turning;
+      if (!way && !contact.turning && std::ranges::any_of(contact.ways, turns))
+        evaluator.fail(what.mark(), "'" + contact.name + "' has friction along its axis and round it",
+                       "ask for the force, friction(slide of " + contact.name +
+                           " on ...), or the couple, friction(turn of " + contact.name + " on ...)");
+      const Vector3<Base> effort = way ? way->arm * dot(force.friction, mechanism_state_->direction(way->along)) *
+                                             mechanism_state_->direction(drives[way->drive].along)
+                                       : force.friction;
+      return vector_value(lifted<Scalar>(sign * effort), couple ? dimensions::moment : dimensions::force);
     }
     return told(ToldQuantity::Kind::friction, body,
                 vector_value(lifted<Scalar>(sign * force.friction), dimensions::force));

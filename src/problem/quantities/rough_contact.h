@@ -80,18 +80,25 @@ const CordSpan<Base>* span_of(const Mechanism<Base>& mechanism, int action) {
   return nullptr;
 }
 
-// How many times the other one a tension of a cord may be that does not slip, by the angle of this pose; nothing of
-// other contacts.
+// The angle of a cord round its wheel or post in this pose; nothing of other contacts.
 template <class Base>
-std::optional<Base> capstan_of(const solve::MechanismStateOf<Base>& state, const RoughContactOf<Base>& contact) {
+std::optional<Base> angle_round(const solve::MechanismStateOf<Base>& state, const RoughContactOf<Base>& contact) {
   const Mechanism<Base>& mechanism = state.mechanism();
   const CordSpan<Base>* before = contact.on_cord() ? span_of(mechanism, contact.action) : nullptr;
   const CordSpan<Base>* behind = contact.on_cord() ? span_of(mechanism, contact.behind) : nullptr;
   if (!before || !behind) return std::nullopt;
   const Workspace<Base>& w = state.workspace();
-  const Base angle = contact.wrap + wrap_change(mechanism.tree, w, *behind, line_of(mechanism.tree, w, *before).along,
-                                                line_of(mechanism.tree, w, *behind).along);
-  return capstan_ratio(Base(contact.friction_at_rest * angle));
+  return Base(contact.wrap + wrap_change(mechanism.tree, w, *behind, line_of(mechanism.tree, w, *before).along,
+                                         line_of(mechanism.tree, w, *behind).along));
+}
+
+// How many times the other one a tension of a cord may be that does not slip, by the angle of this pose; nothing of
+// other contacts.
+template <class Base>
+std::optional<Base> capstan_of(const solve::MechanismStateOf<Base>& state, const RoughContactOf<Base>& contact) {
+  const std::optional<Base> angle = angle_round(state, contact);
+  if (!angle) return std::nullopt;
+  return capstan_ratio(Base(contact.friction_at_rest * *angle));
 }
 
 // The coefficient of friction at rest, or of a cord that of Coulomb's law for the sum of its tensions.
@@ -125,10 +132,12 @@ RoughMotion<Base> rough_motion(const solve::MechanismStateOf<Base>& state, const
                                bool accelerations) {
   const std::vector<Base>& values = accelerations ? state.accelerations() : state.state().v;
   RoughMotion<Base> motion{Base(0), {Base(0), Base(0), Base(0)}, 0};
-  if (contact.coordinate >= 0) {
-    const Base& rate = values[static_cast<std::size_t>(contact.coordinate)];
-    motion.size = std::abs(plain(rate));
-    motion.slip = rate * state.direction(contact.motions[1].along);
+  if (contact.in_joint()) {
+    for (const RubbingWay<Base>& way : contact.ways) {
+      const Base rate = way.arm * values[static_cast<std::size_t>(way.coordinate)];
+      motion.size = std::max(motion.size, std::abs(plain(rate)));
+      motion.slip += rate * state.direction(way.along);
+    }
     return motion;
   }
   if (contact.on_cord()) {
@@ -180,14 +189,16 @@ RoughForce<Base> rough_force(const solve::MechanismStateOf<Base>& state, const s
     return {before + behind, (before - behind) * contact.motions[1].along.vector};
   }
   const SpatialForce<Base> wrench = solve::action_wrench(state, unknowns, static_cast<std::size_t>(contact.action));
-  if (contact.coordinate >= 0) {
-    const Vector3<Base> axis = state.direction(contact.motions[1].along);
+  if (contact.in_joint()) {
     Base push(1);
     if (!contact.pressing.empty()) {
       push = Base(0);
       for (const Vector3<Base>& V : pressing_in(state, unknowns, contact)) push += size_along_axis(V);
     }
-    return {push, dot(contact.turning ? wrench.moment : wrench.force, axis) * axis};
+    Vector3<Base> friction = Vector3<Base>::zero();
+    for (const RubbingWay<Base>& way : contact.ways)
+      friction += effort_along(state, way, wrench) / way.arm * state.direction(way.along);
+    return {push, friction};
   }
   const Vector3<Base> n = direction_now(state, contact, contact.normal);
   const Vector3<Base>& force = wrench.force;
@@ -232,7 +243,7 @@ bool stays_in_state(const solve::MechanismStateOf<Base>& state, const std::vecto
   if (contact.grip != Grip::slides || !contact.slip) return false;
   // A bearing of no radius rubs with nothing but rounding.
   if (const double law = plain(contact.sliding) * plain(force.push);
-      contact.rubs_by_load() && force_size > 0 &&
+      contact.found_with_reactions() && force_size > 0 &&
       std::abs(norm(plain(force.friction)) - law) > rounding * (law + force_size))
     return false;
   // What is at rest begins to slip where its slip grows. One that turns has a direction as long as there is any of it.

@@ -120,6 +120,8 @@ struct SolvedClaim {
 struct FormulaCondition {
   std::string words;  // as in the list of assumptions
   poinsot::Formula positive;
+  std::string inequality{};         // of it in the words, "M - Q > 0"; "" if there is none
+  std::vector<std::size_t> asks{};  // whose formulas it is told of; none: of all
 };
 
 // In which state a contact with friction was found.
@@ -131,6 +133,10 @@ struct ContactState {
   bool from_rest = false;            // whether it begins to
   bool in_joint = false;             // whether it is the friction in the joint of this name, or of a cord
   bool idle = false;                 // whether it takes no part in a blow, which does not press it
+  bool sought = false;  // whether the slip of its joint, in several ways together, was sought as of contacts
+
+  // Whether it slides along a direction that is no axis of its joint and no way of its cord.
+  bool has_direction() const { return slip && (!in_joint || sought); }
 };
 
 struct Solution {

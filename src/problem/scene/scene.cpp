@@ -71,6 +71,7 @@ class SceneMaker {
     scene_.axes = situation.axes;
     tell_letters();
     or_left_out("the figure", [&] { draw(home_); });
+    tell_what_grows();
     return std::move(scene_);
   }
 
@@ -78,6 +79,56 @@ class SceneMaker {
     for (const Letter& letter : solved_.open_letters)
       if (const auto drawn = numbers_.drawn().find(letter.name); drawn != numbers_.drawn().end())
         scene_.drawn_letters.push_back({letter.name, letter.unit.text, drawn->second / letter.unit.factor});
+  }
+
+  // Where all that is drawn has its size from one length, the value of that shows in nothing.
+  void tell_what_grows() {
+    constexpr double other = 2, rounding = 1e-9;
+    for (const Letter& letter : solved_.open_letters) {
+      const auto told = std::ranges::find(scene_.drawn_letters, letter.name, &scene::DrawnLetter::name);
+      if (!(letter.unit.dimension == dimensions::length) || told == scene_.drawn_letters.end()) continue;
+      AllSettings larger = numbers_.settings();
+      for (Settings& one : larger)
+        if (const auto value = one.find(letter.name); value != one.end()) value->second.number *= other;
+      try {
+        const std::vector<Vector3<double>> here = places_with(numbers_.settings()), there = places_with(larger);
+        told->only_grows = here.size() == there.size();
+        for (std::size_t i = 0; told->only_grows && i < here.size(); ++i)
+          told->only_grows = norm(Vector3<double>(there[i] - other * here[i])) <= rounding * scene_.length;
+      } catch (const StatementError&) {
+        told->only_grows = false;
+      }
+    }
+  }
+
+  // Where the shapes of bodies, points, joints and what runs between them are, on the ground.
+  std::vector<Vector3<double>> places_with(const AllSettings& settings) {
+    const Situation& situation = statement_.situations[home_.situation];
+    Sample sample(statement_, settings, OpenChoice{});
+    SolvedInstant& instant = sample.instant(home_);
+    solve::MechanismState state(instant.machine().mechanism);
+    state.set_positions(instant.state().q);
+    state.set_velocities(instant.state().v);
+    const ExplanationTex tex(situation, numbers_.open_letters(home_.situation));
+    scene::Scene placed;
+    SceneFigure figure(situation, settings[home_.situation], instant.machine(), state, tex, placed);
+    figure.add_bodies();
+    figure.add_points();
+    figure.add_symbols();
+    figure.add_links();
+    add_stand_ins(figure);
+    std::vector<Vector3<double>> places;
+    const auto add = [&](const scene::Place& place) { places.push_back(figure.on_ground(place)); };
+    for (std::size_t k = 0; k < placed.bodies.size(); ++k)
+      for (const scene::Shape& shape : placed.bodies[k].shapes)
+        for (const Vector3<double>& vertex : shape.vertices) add({static_cast<int>(k), vertex});
+    for (const scene::Point& point : placed.points) add(point.place);
+    for (const scene::Symbol& symbol : placed.symbols) add(symbol.place);
+    for (const scene::Link& link : placed.links) {
+      add(link.from);
+      add(link.to);
+    }
+    return places;
   }
 
   template <class Add>

@@ -71,7 +71,7 @@ class Dimensions {
       return eyelet == scene.points.end() ? std::nullopt : std::optional(eyelet->place);
     }
     const std::string& named =
-        contact.in_joint ? rubbing_freedom(figure_.situation().joints, contact.name).joint.name : contact.name;
+        contact.in_joint ? rubbing_joint(figure_.situation().joints, contact.name).joint.name : contact.name;
     const auto symbol = std::ranges::find(scene.symbols, named, &scene::Symbol::name);
     if (symbol != scene.symbols.end()) return symbol->place;
     for (const scene::Curve& curve : scene.curves)

@@ -31,7 +31,9 @@ std::vector<double> asked_times(Sample& sample, const Ask& ask) {
   std::vector<double> found = sample.motion(situation_index).times(condition, ask.axes, from, to);
   if (ask.when->first && found.size() > 1) found = {found.front()};
   if (ask.when->first && found.empty())
-    fail(situation.file, condition.mark(), "'" + to_string(condition) + "' does not happen in this span");
+    throw NotHappeningError(situation.file, condition.mark(),
+                            "'" + to_string(condition) + "' does not happen in this span",
+                            "check the condition, or let the span last longer", INFINITY);
   return found;
 }
 

@@ -20,14 +20,14 @@ struct AmountEquations {
 
 constexpr double linear_to = 1e-9;  // of the largest term
 
-std::optional<AmountEquations> equations_of_amounts(UnknownEquations& equations, const std::vector<double>& unit) {
+std::optional<AmountEquations> equations_of_amounts(const AmountConditions& left_of, const std::vector<double>& unit) {
   const std::size_t n = unit.size();
   const auto values_at = [&](const std::vector<double>& parts) -> std::optional<VectorXd> {
     std::vector<double> x(n);
     for (std::size_t k = 0; k < n; ++k) x[k] = parts[k] * unit[k];
-    const auto found = equations(x);
-    if (!found) return std::nullopt;
-    return VectorXd(Eigen::Map<const VectorXd>(found->values.data(), static_cast<Index>(found->values.size())));
+    const auto left = left_of(x);
+    if (!left) return std::nullopt;
+    return VectorXd(Eigen::Map<const VectorXd>(left->data(), static_cast<Index>(left->size())));
   };
   const std::optional<VectorXd> none = values_at(std::vector<double>(n, 0.0));
   if (!none) return std::nullopt;
@@ -58,8 +58,6 @@ std::optional<std::string> choice_doubt(UnknownEquations& equations,
                                         const std::vector<std::vector<std::size_t>>& amounts,
                                         const ChoicesFound& found) {
   const std::size_t n = equations.slots().size();
-  constexpr std::size_t most_amounts = 12;  // whose choices are as many as 4096
-  if (found.solutions.empty() || amounts.size() > most_amounts) return std::nullopt;
   std::vector<bool> is_amount(n, false);
   for (const std::vector<std::size_t>& one : amounts)
     for (const std::size_t k : one) is_amount[k] = true;
@@ -68,13 +66,25 @@ std::optional<std::string> choice_doubt(UnknownEquations& equations,
     const solve::RootRange& range = equations.ranges()[k];
     if (!is_amount[k] || range.lower != 0 || range.lower_open || std::isfinite(range.upper)) return std::nullopt;
   }
+  const AmountConditions conditions = [&](const std::vector<double>& x) -> std::optional<std::vector<double>> {
+    const auto left = equations(x);
+    return left ? std::optional(left->values) : std::nullopt;
+  };
+  return choice_doubt(conditions, n, amounts, found);
+}
+
+std::optional<std::string> choice_doubt(const AmountConditions& conditions, std::size_t n,
+                                        const std::vector<std::vector<std::size_t>>& amounts,
+                                        const ChoicesFound& found) {
+  constexpr std::size_t most_amounts = 12;  // whose choices are as many as 4096
+  if (found.solutions.empty() || amounts.size() > most_amounts) return std::nullopt;
   double largest = 0;
   for (const std::vector<double>& solution : found.solutions)
     for (const double value : solution) largest = std::max(largest, std::abs(value));
   if (!(largest > 0)) return std::nullopt;
-  const auto conditions = equations_of_amounts(equations, std::vector<double>(n, largest));
-  if (!conditions) return std::nullopt;
-  const auto& [A, b] = *conditions;
+  const auto linear = equations_of_amounts(conditions, std::vector<double>(n, largest));
+  if (!linear) return std::nullopt;
+  const auto& [A, b] = *linear;
   constexpr double same = 1e-6;  // beside the largest amount
   if (!found.exactly) {
     const auto least = solve::maximise(A, b, VectorXd::Constant(static_cast<Index>(n), -1.0));

@@ -8,7 +8,6 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/states_at_end.h"
-#include "problem/unknowns/sticking_end.h"
 #include "problem/witness/particle_witness.h"
 
 namespace poinsot::problem {
@@ -115,36 +114,45 @@ ExtremumSearch::Span ExtremumSearch::span() const {
   return {ranges[0].lower, ranges[0].upper, span.scale};
 }
 
-std::vector<AllSettings> ExtremumSearch::settings_at(double value) const {
+bool ExtremumSearch::has_unknowns() const {
+  return std::any_of(situation_.find.begin(), situation_.find.end(),
+                     [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
+}
+
+std::vector<AllSettings> ExtremumSearch::settings_at(double value, const Statement& statement) const {
   const std::size_t home = situation_of(statement_, ask_);
   AllSettings all = settings_;
   for (Settings& one : all) one[ask_.extremum->name] = Value<double>::of_number(value, dimension_);
   // The other unknowns of the situation are found for each value of the datum.
-  const bool unknowns = std::any_of(situation_.find.begin(), situation_.find.end(),
-                                    [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
-  if (!unknowns) return {std::move(all)};
+  if (!has_unknowns()) return {std::move(all)};
   Settings known = all[home];
   for (const Unknown& unknown : situation_.find)
     if (unknown.name != ask_.extremum->name) known.erase(unknown.name);
-  UnknownSearch search(statement_, known);
+  UnknownSearch search(statement, known);
   return search.find(known).roots;
 }
 
-std::vector<std::shared_ptr<const Statement>> ExtremumSearch::statements_at(const AllSettings& root) const {
-  // What the caller keeps is shared without an owner.
-  if (!seeks_states_) return {std::shared_ptr<const Statement>(std::shared_ptr<void>(), &statement_)};
+std::vector<ExtremumSearch::Found> ExtremumSearch::found_at(double value) {
+  if (seeks_states_ && has_unknowns()) return found_beside_unknowns(value);
+  std::vector<Found> found;
   const std::size_t home = situation_of(statement_, ask_);
-  const HeldStates held = states_that_hold(with_states_open(situation_), home, root[home], false,
-                                           wanted_to_stick(situation_, *ask_.extremum));
-  if (held.all.empty() && !held.doubts.empty())
-    fail(situation_.file, ask_.extremum->name_mark, "what contacts do could not be judged " + held.doubts.front());
-  std::vector<std::shared_ptr<const Statement>> statements;
-  for (const std::vector<ContactState>& states : held.all) {
-    auto statement = std::make_shared<Statement>(statement_);
-    put_in_states(statement->situations[home], home, states);
-    statements.push_back(std::move(statement));
+  for (AllSettings& root : settings_at(value, statement_)) {
+    // What the caller keeps is shared without an owner.
+    if (!seeks_states_) {
+      found.push_back({std::shared_ptr<const Statement>(std::shared_ptr<void>(), &statement_), std::move(root)});
+      continue;
+    }
+    const HeldStates held = states_that_hold(with_states_open(situation_), home, root[home], false,
+                                             wanted_to_stick(situation_, *ask_.extremum));
+    if (held.all.empty() && !held.doubts.empty())
+      fail(situation_.file, ask_.extremum->name_mark, "what contacts do could not be judged " + held.doubts.front());
+    for (const std::vector<ContactState>& states : held.all) {
+      auto statement = std::make_shared<Statement>(statement_);
+      put_in_states(statement->situations[home], home, states);
+      found.push_back({std::move(statement), root});
+    }
   }
-  return statements;
+  return found;
 }
 
 bool ExtremumSearch::conditions_hold_in(Sample& sample) {
@@ -166,13 +174,12 @@ bool ExtremumSearch::conditions_hold_in(Sample& sample) {
 }
 
 std::unique_ptr<Sample> ExtremumSearch::sample_at(double value) {
-  for (const AllSettings& root : settings_at(value))
-    for (const std::shared_ptr<const Statement>& statement : statements_at(root)) {
-      auto sample = std::make_unique<Sample>(statement, root, choice_);
-      if (!conditions_hold_in(*sample)) continue;
-      confirm(value, *sample);
-      return sample;
-    }
+  for (Found& found : found_at(value)) {
+    auto sample = std::make_unique<Sample>(found.statement, found.settings, choice_);
+    if (!conditions_hold_in(*sample)) continue;
+    confirm(value, *sample);
+    return sample;
+  }
   return nullptr;
 }
 
@@ -186,7 +193,7 @@ void ExtremumSearch::confirm(double value, const Sample& sample) {
 }
 
 std::optional<NearMotion> ExtremumSearch::near_motion(const Expression& stable, double value) try {
-  const std::vector<AllSettings> roots = settings_at(value);
+  const std::vector<AllSettings> roots = settings_at(value, statement_);
   if (roots.size() != 1) return std::nullopt;
   const std::size_t home = situation_of(statement_, ask_);
   Sample sample(statement_, roots.front(), choice_);
@@ -294,69 +301,6 @@ bool ExtremumSearch::is_at(double value) {
   // Beyond the end of its range a datum has no values.
   const bool at_end = side > 0 ? value >= range.upper : value <= range.lower;
   return holds(at_end ? value : value - side * step) && (at_end || !holds(value + side * step));
-}
-
-std::optional<double> ExtremumSearch::sticking_ends(double inside, double outside) {
-  failed_ = nullptr;
-  if (choice_.trial || truth_at(outside) != Truth::fails || !failed_) return std::nullopt;
-  const Expression& sticking = *failed_;
-  if (const Call* call = sticking.as<Call>(); !call || call->function != "sticking") return std::nullopt;
-  const std::vector<AllSettings> roots = settings_at(inside);
-  if (roots.size() != 1) return std::nullopt;
-  for (const std::shared_ptr<const Statement>& statement : statements_at(roots.front())) {
-    if (Sample here(statement, roots.front(), choice_); !conditions_hold_in(here)) continue;
-    const auto margin = [&](double value) -> std::optional<double> {
-      try {
-        const std::vector<AllSettings> beside = settings_at(value);
-        if (beside.size() != 1) return std::nullopt;
-        Sample there(statement, beside.front(), choice_);
-        there.value_in(situation_of(statement_, ask_), sticking);
-        return margin_of_sticking(there);
-      } catch (const StatementError&) {
-        return std::nullopt;
-      }
-    };
-    return sticking_end(margin, inside, outside);
-  }
-  return std::nullopt;
-}
-
-// Whether contacts that stick at an end would do so beyond it as well, by the second road to the laws of friction. What
-// a state is found by is not that road, and at an end that lies too near it would be confirmed. Where contacts share a
-// load, that one share slides says nothing: then all of them must.
-bool ExtremumSearch::sticks_beyond(double end) try {
-  if (!situation_.has_friction() || choice_.trial) return false;
-  // The farthest is so far beyond that the limit is passed by far more than the rounding to which it is reached.
-  constexpr double farthest = 1e-3, clearly = 10, nothing_left = 1e-12;
-  const auto friction_off = [](const Sample& sample) {
-    double off = 0;
-    for (const auto& [home, instant] : sample.instants()) off = std::max(off, instant->check().friction.value_or(0));
-    return off;
-  };
-  for (const AllSettings& root : settings_at(end))
-    for (const std::shared_ptr<const Statement>& statement : statements_at(root)) {
-      Sample here(statement, root, choice_);
-      if (!conditions_hold_in(here)) continue;
-      bool shared = false;
-      for (double part = 1e-6; part <= 1.5 * farthest && !shared; part *= 10)
-        for (const AllSettings& beside :
-             settings_at(end + (ask_.extremum->largest ? part : -part) * (end != 0 ? std::abs(end) : span().scale))) {
-          Sample there(statement, beside, choice_);
-          if (conditions_hold_in(there)) continue;
-          const Call* failed = failed_->as<Call>();
-          if (!failed || failed->function != "sticking") continue;
-          if (const std::optional<bool> none = none_shares(there)) {
-            if (!*none) return true;
-            shared = true;
-          } else if (10 * part > 1.5 * farthest && friction_off(there) <= clearly * friction_off(here) + nothing_left) {
-            return true;
-          }
-        }
-      return false;
-    }
-  return false;
-} catch (const StatementError&) {
-  return false;  // What is stated ends there.
 }
 
 ExtremumFound ExtremumSearch::find() {
@@ -486,6 +430,15 @@ ExtremumFound ExtremumSearch::found_end() {
   if (truth_at(outside) == Truth::refused && contradicted_) {
     found.reason = "there is no " + what + " of what is stated: beyond " + in_unit(inside) + ", " +
                    refusal_->diagnostics().front().message;
+    return found;
+  }
+  // What contacts do is decided up to the rounding of forces, so that what ends at zero does so a little beyond it.
+  constexpr double decided = 1e-8;  // of the natural size of the datum
+  if (side > 0 && range.lower == 0 && situation_.has_friction() &&
+      inside < decided * natural_size(settings_[situation_of(statement_, ask_)]) && holds(0)) {
+    found.value = Value<double>::of_number(0, dimension_);
+    found.sample = sample_at(0);
+    found.note = "it holds at zero alone, as far as forces are told apart";
     return found;
   }
   if (const std::optional<double> end = sticking_ends(inside, outside)) inside = *end;

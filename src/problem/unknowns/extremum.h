@@ -51,12 +51,20 @@ class ExtremumSearch {
   // of it, and hold again nearer still. nearer: values from the nearest to the value told, at which they hold.
   std::string told_before(const std::vector<double>& nearer);
   double border(double inside, double outside);
-  // The settings of all situations at a value, one for each root of the other unknowns.
-  std::vector<AllSettings> settings_at(double value) const;
+  // The settings of all situations at a value, one for each root of the other unknowns of a statement.
+  std::vector<AllSettings> settings_at(double value, const Statement& statement) const;
+  // The statement with the values of a root; for each combination of states of contacts with friction where these are
+  // sought, beside unknowns for each in which the root keeps them.
+  struct Found {
+    std::shared_ptr<const Statement> statement;
+    AllSettings settings;
+  };
+  std::vector<Found> found_at(double value);
+  bool has_unknowns() const;
+  bool may_be(const Contact& contact, Grip grip) const;
+  std::vector<Found> found_beside_unknowns(double value);
   std::unique_ptr<Sample> sample_at(double value);
   bool conditions_hold_in(Sample& sample);
-  // The statement at a root; for each combination of states of contacts with friction, where these are sought.
-  std::vector<std::shared_ptr<const Statement>> statements_at(const AllSettings& root) const;
   // The motion that a condition stable(X) looks at; nothing if the statement refuses the value.
   std::optional<NearMotion> near_motion(const Expression& stable, double value);
   // The end of stability between two values; nothing if that is not what ends there or if it is not known closely.
@@ -78,7 +86,9 @@ class ExtremumSearch {
   bool unconfirmed_ = false;
   bool doubtful_ = false;               // of the value tried last
   const Expression* failed_ = nullptr;  // the condition that failed at it
-  bool ever_ = false;                   // whether the conditions could be evaluated at any value
+  // Beside unknowns, the combinations of states, those first that held last.
+  std::vector<std::shared_ptr<const Statement>> combinations_{};
+  bool ever_ = false;  // whether the conditions could be evaluated at any value
 };
 
 }  // namespace poinsot::problem

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "problem/instant/sticking_margin.h"
+#include "problem/unknowns/extremum.h"
 #include "problem/witness/beyond_sticking.h"
 
 namespace poinsot::problem {
@@ -65,6 +66,69 @@ std::optional<bool> none_shares(const Sample& sample) {
   for (const auto& [home, instant] : sample.instants())
     if (const std::optional<bool> found = sticks_in_no_share(*instant)) none = none.value_or(false) || *found;
   return none;
+}
+
+std::optional<double> ExtremumSearch::sticking_ends(double inside, double outside) {
+  failed_ = nullptr;
+  if (choice_.trial || truth_at(outside) != Truth::fails || !failed_) return std::nullopt;
+  const Expression& sticking = *failed_;
+  if (const Call* call = sticking.as<Call>(); !call || call->function != "sticking") return std::nullopt;
+  if (!seeks_states_ && settings_at(inside, statement_).size() != 1) return std::nullopt;
+  for (const Found& found : found_at(inside)) {
+    const std::shared_ptr<const Statement>& statement = found.statement;
+    if (Sample here(statement, found.settings, choice_); !conditions_hold_in(here)) continue;
+    const auto margin = [&](double value) -> std::optional<double> {
+      try {
+        const std::vector<AllSettings> beside = settings_at(value, *statement);
+        if (beside.size() != 1) return std::nullopt;
+        Sample there(statement, beside.front(), choice_);
+        there.value_in(situation_of(statement_, ask_), sticking);
+        return margin_of_sticking(there);
+      } catch (const StatementError&) {
+        return std::nullopt;
+      }
+    };
+    return sticking_end(margin, inside, outside);
+  }
+  return std::nullopt;
+}
+
+// Whether contacts that stick at an end would do so beyond it as well, by the second road to the laws of friction. What
+// a state is found by is not that road, and at an end that lies too near it would be confirmed. Where contacts share a
+// load, that one share slides says nothing: then all of them must.
+bool ExtremumSearch::sticks_beyond(double end) try {
+  if (!situation_.has_friction() || choice_.trial) return false;
+  // The farthest is so far beyond that the limit is passed by far more than the rounding to which it is reached.
+  constexpr double farthest = 1e-3, clearly = 10, nothing_left = 1e-12;
+  const auto friction_off = [](const Sample& sample) {
+    double off = 0;
+    for (const auto& [home, instant] : sample.instants()) off = std::max(off, instant->check().friction.value_or(0));
+    return off;
+  };
+  for (const Found& found : found_at(end)) {
+    const std::shared_ptr<const Statement>& statement = found.statement;
+    Sample here(statement, found.settings, choice_);
+    if (!conditions_hold_in(here)) continue;
+    bool shared = false;
+    for (double part = 1e-6; part <= 1.5 * farthest && !shared; part *= 10)
+      for (const AllSettings& beside : settings_at(
+               end + (ask_.extremum->largest ? part : -part) * (end != 0 ? std::abs(end) : span().scale), *statement)) {
+        Sample there(statement, beside, choice_);
+        if (conditions_hold_in(there)) continue;
+        const Call* failed = failed_->as<Call>();
+        if (!failed || failed->function != "sticking") continue;
+        if (const std::optional<bool> none = none_shares(there)) {
+          if (!*none) return true;
+          shared = true;
+        } else if (10 * part > 1.5 * farthest && friction_off(there) <= clearly * friction_off(here) + nothing_left) {
+          return true;
+        }
+      }
+    return false;
+  }
+  return false;
+} catch (const StatementError&) {
+  return false;  // What is stated ends there.
 }
 
 }  // namespace poinsot::problem

@@ -17,9 +17,10 @@ namespace poinsot::problem {
 // it exceeds the limit at which it holds is weighed by the largest force, as of contacts, since its rounding is that of
 // the whole mechanism.
 double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) const {
-  const RubbingFreedom rubbing = rubbing_freedom(situation_.joints, contact.name);
+  const RubbingJoint rubbing = rubbing_joint(situation_.joints, contact.name);
   const Joint& joint = rubbing.joint;
-  const Friction& stated = *rubbing.stated().friction;
+  const Friction& stated = rubbing.stated();
+  if (!rubbing.freedom) return misfit_in_all_ways(contact, joint, stated);
   const Dimension dimension = contact.turning ? dimensions::moment : dimensions::force;
   const Vector3<double> axis = mechanism_state_->direction(contact.motions[1].along),
                         friction = rough_force(*mechanism_state_, unknowns_, contact).friction;
@@ -37,7 +38,7 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
   const Workspace<double>& w = mechanism_state_->workspace();
   // Beside another axis about which the joint turns, the part that is no turning about that.
   Vector3<double> measured = axis;
-  for (const Direction<double>& other : machine_.mechanism.drives[contact.drive].others) {
+  for (const Direction<double>& other : machine_.mechanism.drives[contact.ways.front().drive].others) {
     const Vector3<double> b = mechanism_state_->direction(other);
     measured = (axis - dot(axis, b) * b) / (1 - dot(axis, b) * dot(axis, b));
   }
@@ -53,12 +54,92 @@ double SolvedInstant::misfit_in_joint(const RoughContactOf<double>& contact) con
                                 : along(velocity_at(on), velocity_at(from));
   constexpr double rest = 1e-9;  // of the pace
   if (std::abs(rate) <= rest * (contact.turning ? 1 : scales_.length) * pace())
-    rate = mechanism_state_->accelerations()[static_cast<std::size_t>(contact.coordinate)];
+    rate = mechanism_state_->accelerations()[static_cast<std::size_t>(contact.ways.front().coordinate)];
   // It resists motion backwards forwards.
   const double limit = rate > 0 ? limits.backward : limits.forward;
   if (stated.bearing) return size > 0 ? std::abs(effort + (rate > 0 ? limit : -limit)) / std::max(limit, size) : 0;
   if (!(limit > 0)) return effort == 0 ? 0 : 1;
   return std::abs(effort + (rate > 0 ? limit : -limit)) / limit;
+}
+
+// Of a joint whose friction is against its slip in several ways together: how the bodies move over each other where it
+// is, what the friction exerts in that, by the figure, and what presses. A ball turns and rubs by a couple, what slides
+// in a plane by a force, a sleeve by a force along its post and a couple round it, whose slip is the radius times the
+// turning.
+double SolvedInstant::misfit_in_all_ways(const RoughContactOf<double>& contact, const Joint& joint,
+                                         const Friction& stated) const {
+  const JointPlace& place = machine_.joints.at(joint.name);
+  const Workspace<double>& w = mechanism_state_->workspace();
+  const Vector3<double> P = mechanism_state_->position(place.at);
+  const int on = place.to, from = place.from;
+  const CommonSlip slip_kind = joint.kind->common_slip;
+  const double r =
+      stated.bearing && stated.bearing->radius ? data_->number(*stated.bearing->radius, dimensions::length) : 1;
+  const Vector3<double> n = place.axis ? mechanism_state_->direction(*place.axis) : Vector3<double>{};
+  const auto velocity_at = [&](int body) {
+    const BodyMotion<double>& motion = w.motion[static_cast<std::size_t>(body + 1)];
+    return motion.v + cross(motion.w, P - motion.p);
+  };
+  const Vector3<double> turning = angular_velocity(w, on) - angular_velocity(w, from),
+                        sliding = velocity_at(on) - velocity_at(from);
+  const SpatialForce<double> rubs =
+      solve::action_wrench(*mechanism_state_, unknowns_, static_cast<std::size_t>(contact.action));
+  const Vector3<double> couple = rubs.moment - cross(P, rubs.force);
+  // Of a sleeve: the axial part along the first axis, that round it along the second.
+  const auto on_sleeve = [&](double along, double round) { return Vector3<double>{along, round, 0}; };
+  Vector3<double> slip = turning, friction = couple;
+  if (slip_kind == CommonSlip::along_plane) {
+    slip = sliding - dot(sliding, n) * n;
+    friction = rubs.force;
+  } else if (slip_kind == CommonSlip::along_and_round) {
+    slip = on_sleeve(dot(sliding, n), r * dot(turning, n));
+    friction = on_sleeve(dot(rubs.force, n), dot(couple, n) / r);
+  }
+  double pressed = 1;
+  if (stated.bearing) {
+    SpatialForce<double> carried = SpatialForce<double>::zero();
+    for (const std::size_t i : machine_.actions_of(joint.name)) {
+      const ActionKind kind = machine_.mechanism.actions[i].kind;
+      if (kind == ActionKind::joint || kind == ActionKind::support)
+        carried += solve::action_wrench(*mechanism_state_, unknowns_, i);
+    }
+    if (slip_kind == CommonSlip::turning) {
+      pressed = r * norm(carried.force);
+    } else if (slip_kind == CommonSlip::along_plane) {
+      pressed = std::abs(dot(carried.force, n));
+    } else if (stated.bearing->length) {
+      const double L = data_->number(*stated.bearing->length, dimensions::length);
+      // The moment about each end is that of the force at the other one.
+      pressed = 0;
+      for (const double end : {0.5, -0.5})
+        pressed += norm(cross(n, carried.moment - cross(Vector3<double>(P - end * L * n), carried.force))) / L;
+    } else {
+      pressed = norm(cross(n, carried.force));
+    }
+  }
+  const Dimension dimension = stated.bearing                     ? dimensions::none
+                              : slip_kind == CommonSlip::turning ? dimensions::moment
+                                                                 : dimensions::force;
+  const double limit =
+      pressed * data_->number(contact.grip == Grip::sticks ? stated.resting : stated.sliding, dimension);
+  const double size =
+      std::max(limit, largest_force(*mechanism_state_, unknowns_) * (contact.turning ? scales_.length : 1));
+  if (!(size > 0)) return 0;
+  if (contact.grip == Grip::sticks) return std::max(0.0, norm(friction) - limit) / size;
+  // The smaller a slip is beside the motion the less its direction tells, as of contacts.
+  constexpr double rest = 1e-9;
+  const double speed = (contact.turning ? 1 : scales_.length) * pace();
+  const bool slips = norm(slip) > (contact.turns ? 0 : rest * speed);
+  const Vector3<double> begins = rough_motion(*mechanism_state_, contact, true).slip;
+  // What begins to slip is told by its accelerations along the ways of its coordinates, on a sleeve unrolled.
+  const Vector3<double> unrolled =
+      slip_kind == CommonSlip::along_and_round
+          ? on_sleeve(dot(begins, n), dot(begins, mechanism_state_->direction(contact.ways.front().along)))
+          : begins;
+  const Vector3<double> along = slips ? slip : unrolled;
+  if (!(norm(along) > 0)) return 1;
+  const double told = std::min(1.0, norm(along) / (slips ? speed : speed * pace()));
+  return told * norm(friction + limit * normalized(along)) / size;
 }
 
 // What a bearing resists with at most, from the force and the moment that it carries: at two ends as the moments about
@@ -114,7 +195,7 @@ SolvedInstant::LimitsOfFriction SolvedInstant::limits_in_bearing(const RoughCont
 std::vector<VelocityConstraint<double>> SolvedInstant::ways_of_contacts() const {
   std::vector<VelocityConstraint<double>> ways;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.coordinate >= 0 || contact.on_cord()) continue;
+    if (contact.in_joint() || contact.on_cord()) continue;
     ways.push_back(contact.motions.front());
     for (int k = 0; k < 3; ++k) {
       ways.push_back(contact.motions.front());
@@ -232,7 +313,7 @@ double SolvedInstant::friction_misfit() const {
   };
   const auto* next = rates.data();
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
-    if (contact.coordinate >= 0) {
+    if (contact.in_joint()) {
       worst = std::max(worst, misfit_in_joint(contact));
       continue;
     }
@@ -304,7 +385,7 @@ double SolvedInstant::blow_friction_misfit() const {
   const auto* next = rates.data();
   for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
     // What is limited has no impulse.
-    if (contact.coordinate >= 0 || contact.on_cord()) continue;
+    if (contact.in_joint() || contact.on_cord()) continue;
     const auto* way = std::exchange(next, next + 4);
     const Friction& stated = *std::ranges::find(situation_.contacts, contact.name, &Contact::name)->friction;
     const Vector3<double> impulse =

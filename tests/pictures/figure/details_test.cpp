@@ -141,6 +141,48 @@ TEST(Details, what_is_lost_beside_its_way_is_drawn_larger_and_that_is_said) {
   EXPECT_FALSE(tells(figure(held, model, "", front), "larger"));
 }
 
+// An axle of which the frame turns about the middle of a curve.
+scene::Scene on_curve(double radius, double size) {
+  scene::Scene scene;
+  scene.up = {0, 1, 0};
+  scene.length = radius;
+  scene.bodies = {{.name = "frame", .massless = true},
+                  {.name = "axle",
+                   .mass = 1,
+                   .center = {radius, 0, 0},
+                   .shapes = {pictures_test::box_shape({radius - size, -size / 2, -size / 4},
+                                                       {radius + size, size / 2, size / 4})}}};
+  scene.symbols = {
+      {.kind = scene::SymbolKind::revolute, .name = "turn", .to = 0, .place = {0, {0, 0, 0}}, .axis = {0, 1, 0}},
+      {.kind = scene::SymbolKind::revolute,
+       .name = "bearing",
+       .from = 0,
+       .to = 1,
+       .place = {1, {radius, 0, 0}},
+       .axis = {1, 0, 0}}};
+  scene.points = {
+      {"O", {scene::ground, {0, 0, 0}}}, {"A", {1, {radius - size, 0, 0}}}, {"B", {1, {radius + size, 0, 0}}}};
+  return scene;
+}
+
+TEST(Details, what_is_joined_from_far_away_is_drawn_nearer_and_that_is_said) {
+  const FigureName model{FigureKind::model, "model", "", scene::ground};
+  const Looks front{.view = view_from({0, 0, 1}, {0, 1, 0})};
+  for (const double radius : {100.0, 300.0, 1e6}) {
+    const Drawing drawing = figure(on_curve(radius, 1), model, "", front);
+    EXPECT_TRUE(tells(drawing, "nearer")) << radius;
+    EXPECT_FALSE(tells(drawing, "larger")) << radius;
+    EXPECT_GT(width_of_bodies(drawing), 80) << radius;
+    // It stands beside the middle on the side on which it is.
+    double left = 1e300;
+    for (const auto& loop : areas(drawing, Role::body))
+      for (const Point2& p : loop) left = std::min(left, p.x);
+    EXPECT_GT(left, drawing.paper.left + 80) << radius;
+  }
+  EXPECT_FALSE(tells(figure(on_curve(12, 1), model, "", front), "nearer"));
+  EXPECT_FALSE(tells(figure(on_orbit(7e6, 7), model, "", front), "nearer"));
+}
+
 TEST(Details, needles_of_cones_are_cut_across_the_angular_momentum) {
   std::mt19937_64 random(2);
   for (int round = 0; round < 10; ++round) {

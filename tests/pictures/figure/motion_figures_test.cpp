@@ -89,6 +89,25 @@ TEST(MotionFigures, poses_on_a_path_stay_on_it) {
   }
 }
 
+TEST(MotionFigures, what_stays_is_drawn_once) {
+  scene::Scene scene = moving(0.2, 1, true);
+  const auto paler = [](const Drawing& drawing) {
+    return std::ranges::count_if(drawing.marks, [](const Mark& mark) {
+      const auto* fill = std::get_if<Fill>(&mark);
+      return fill != nullptr && fill->bordered && fill->opacity < 1;
+    });
+  };
+  const Looks looks{.view = view_from({0.2, 0.3, 1}, {0, 1, 0})};
+  const auto alone = paler(figure(scene, motion, "", looks));
+  EXPECT_GT(alone, 0);
+  scene.bodies.push_back(
+      {.name = "wall", .mass = 1, .shapes = {pictures_test::box_shape({-1, -9, -0.2}, {1, -8, 0.2})}});
+  for (std::vector<scene::Pose>& poses : scene.motion->poses) poses.emplace_back();
+  const Drawing both = figure(scene, motion, "", looks);
+  EXPECT_EQ(paler(both), alone);
+  EXPECT_EQ(bodies_on_paper(both).size(), 2U);
+}
+
 TEST(MotionFigures, no_word_of_a_caption_stands_alone_below_the_others) {
   const std::string words = "From t = 0 to 0.3341 s, 6 poses; paths begin at small circles";
   for (double width = 120; width < 260; width += 7) {

@@ -48,6 +48,23 @@ TEST(Arms, a_wheel_that_is_held_in_its_middle_has_none) {
   EXPECT_TRUE(arms_of(scene, 0).empty());
 }
 
+// A frame between its head and its axle, with the rider above both.
+TEST(Arms, a_body_held_at_two_places_beside_its_center_is_a_frame_of_three_corners) {
+  for (const double height : {1.0, 0.05}) {
+    scene::Scene scene;
+    scene.length = 2;
+    scene.bodies = {{.name = "frame", .mass = 1, .center = {0, height, 0}}};
+    scene.symbols = {bearing({-1, 0, 0}), bearing({1, 0, 0})};
+    const auto arms = arms_of(scene, 0);
+    ASSERT_EQ(arms.size(), height > 0.3 ? 3U : 2U);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(norm(arms[i][0] - Vector{0, height, 0}), 1e-12);
+    if (arms.size() == 3) {
+      EXPECT_NEAR(norm(arms[2][1] - arms[2][0]), 2, 1e-12);
+      EXPECT_NEAR(arms[2][0].y, 0, 1e-12);
+    }
+  }
+}
+
 TEST(Arms, what_stands_for_a_shape_reaches_to_points_that_are_well_outside_and_a_known_shape_does_not) {
   std::mt19937 random(3);
   std::normal_distribution<double> draw;

@@ -19,6 +19,29 @@ TEST(AsksAlone, FrequenciesWhereNothingIsSteady) {
     EXPECT_NE(solved.reason(name).find("this is no steady motion"), std::string::npos) << solved.reason(name);
 }
 
+// A bob beside the axis pulls a satellite that nothing holds to its side: the mass center of both is not on the axis.
+TEST(AsksAlone, WhatDoesNotStayIsNamed) {
+  const std::string statement =
+      "title: t\npoints: {G: [0, 0, 0], A: [0.5 m, 0, 0]}\nframes: {f: {turns: z, rate: 3 rad/s}}\n"
+      "bodies: {sat: {mass: 100 kg, center: G, inertia: {x: 10 kg*m^2, y: 10 kg*m^2, z: 14 kg*m^2}}, "
+      "bob: {particle: A, mass: 0.2 kg}}\njoints: {tube: {weld: A, from: sat, to: bob}}\ngravity: none\n";
+  const SolvedText solved(statement + "steady: {frame: f}\nask: {s: stable(sat)}\n");
+  EXPECT_NE(solved.reason("s").find("would change"), std::string::npos) << solved.reason("s");
+  EXPECT_NE(solved.reason("s").find("as steady: says"), std::string::npos) << solved.reason("s");
+}
+
+TEST(AsksAlone, TheEnergyOfATurningWhoseFlightIsNotStated) {
+  const SolvedText solved(
+      "title: t\npoints: {G: [0, 0, 0]}\n"
+      "bodies: {b: {mass: 5 kg, center: G, inertia: {x: 2 kg*m^2, y: 3 kg*m^2, z: 4 kg*m^2}}}\ngravity: none\n"
+      "facts: {angular_velocity(b): [1 rad/s, 2 rad/s, 0]}\n"
+      "ask: {T: kinetic_energy(b), own: kinetic_energy(b about center(b))}\n");
+  EXPECT_NE(solved.reason("T").find("kinetic_energy(b about center(b)) is that of its turning alone"),
+            std::string::npos)
+      << solved.reason("T");
+  EXPECT_NEAR(solved.number("own"), 7, 1e-12);
+}
+
 // Two hinges on one line share the force along it: nothing says how, also where only a table along the motion asks.
 TEST(AsksAlone, SharedForcesInATable) {
   for (const char* of : {"reaction(A).z", "reaction(B).z + 0 * 1 N * theta"}) {

@@ -132,8 +132,18 @@ TEST(FrictionInJoints, MistakesAreTold) {
     EXPECT_NE(failure.find(words), std::string::npos) << failure;
   };
   says(hinge("revolute: z, at: O, rate: 1 rad/s, accel: 0, friction: 2 N*m", ""), "rate:, accel: and friction");
-  says(hinge("ball: O, friction: 2 N*m", ""), "friction is stated where something only turns or only slides");
-  says(hinge("cylindrical: z, at: O, friction: 2 N*m", ""), "friction is a couple or force in each of its freedoms");
+  says(hinge("weld: O, friction: 2 N*m", ""), "which does not move: it has no friction");
+  says(hinge("ball: O, angles: [a: z, b: y, c: x], friction: 2 N*m", ""), "a ball with angles in an order");
+  says(hinge("ball: O, friction: {coefficient: 0.2}", ""), "no radius at which it acts");
+  says(hinge("ball: O, friction: 2 N", ""), "a force");
+  says(hinge("planar: z, at: O, friction: {coefficient: 0.2, radius: 2 mm}", ""), "is a planar and has no radius");
+  says(hinge("universal: [x, y], at: O, friction: 2 N*m", ""), "friction is a couple or force in each of its freedoms");
+  says(hinge("cylindrical: z, at: O, friction: 2 N*m", ""), "a couple and a force of their own are stated");
+  says(hinge(
+           "cylindrical: z, at: O, friction: {coefficient: 0.2, radius: 2 mm}, freedoms: {slide: {rate: 0, friction: 2 "
+           "N}}",
+           ""),
+       "friction against all its motion");
   says(hinge("cylindrical: z, at: O, freedoms: {slide: {rate: 0, friction: {coefficient: 0.2}}}", ""),
        "rubs against its whole slip");
   says(hinge("planar: z, at: O, freedoms: {slide1: {rate: 0, friction: 2 N}}", ""), "one of two slides in a plane");
@@ -141,6 +151,69 @@ TEST(FrictionInJoints, MistakesAreTold) {
        "against its turning about whatever axis");
   says(hinge("revolute: z, at: O, rate: 0, friction: 0.3", ""), "states a pure number as its friction");
   says(hinge("revolute: z, at: O, rate: 0, friction: -2 N*m", ""), "joint 'hinge' has a negative friction");
+}
+
+// A body that a couple begins to turn against the couple of its socket, by Euler's equation: I a = C - M a/|a|.
+TEST(FrictionInJoints, ABallBeginsToTurnAboutAnyAxis) {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> part(-3, 3);
+  int moved = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Vector3<double> C{part(random), part(random), part(random)};
+    const SolvedText solved(
+        fmt::format("points: {{O: [0, 0, 0]}}\nbodies: {{block: {{box: {{center: O, sides: [[0.5 m, 0, 0], [0, 0.3 m, "
+                    "0], [0, 0, 0.2 "
+                    "m]]}}, mass: 24 kg}}}}\njoints: {{socket: {{ball: O, to: block, friction: {{static: 2.2 N*m, "
+                    "kinetic: 2 N*m}}}}}}\n"
+                    "loads: {{turn: {{couple: [{:.17g} N*m, {:.17g} N*m, {:.17g} N*m], body: block}}}}\ngravity: none\n"
+                    "instants: {{now: rest}}\nask: {{a: angular_acceleration(block), K: friction(socket on block), s: "
+                    "sticking(socket)}}\n",
+                    C.x, C.y, C.z));
+    const Vector3<double> a = solved.vector("a"), K = solved.vector("K");
+    EXPECT_EQ(solved.found("s").value.truth, norm(C) <= 2.2) << norm(C);
+    if (norm(C) <= 2.2) {
+      EXPECT_NEAR(norm(K + C), 0, 1e-9);
+      continue;
+    }
+    ++moved;
+    const Vector3<double> rate{2 * (0.09 + 0.04) * a.x, 2 * (0.25 + 0.04) * a.y, 2 * (0.25 + 0.09) * a.z};
+    EXPECT_NEAR(norm(rate - C + (2 / norm(a)) * a), 0, 1e-8);
+    EXPECT_NEAR(norm(K + (2 / norm(a)) * a), 0, 1e-8);
+  }
+  EXPECT_GT(moved, 3);
+}
+
+// A rod that whirls on a ball presses it by its weight and by its own motion, and loses what the socket takes.
+TEST(FrictionInJoints, ABallRubsByAllThatItCarries) {
+  const SolvedText solved(
+      "given: {m: 2 kg, L: 0.6 m, mu: 0.3, r: 15 mm, w: [2 rad/s, 1 rad/s, 3 rad/s]}\npoints: {O: [0, 0, 0], A: [L, 0, "
+      "0]}\nbodies: {bar: {cylinder: {center: A/2, axis: x, radius: 20 mm, length: L}, mass: m}}\n"
+      "joints: {socket: {ball: O, to: bar, friction: {coefficient: mu, radius: r}}}\ngravity: -y\n"
+      "facts: {angular_velocity(bar): w}\ndefine: {E: kinetic_energy(bar) + potential_energy(bar)}\n"
+      "ask: {K: friction(socket on bar), R: force(socket on bar), w: angular_velocity(bar), P: \"E'\", "
+      "later: friction(socket on bar) @ 0.7 s, then: force(socket on bar) @ 0.7 s, turns: angular_velocity(bar) @ 0.7 "
+      "s}\n");
+  const auto law = [&](const char* friction, const char* force, const char* turning) {
+    const Vector3<double> K = solved.vector(friction), w = solved.vector(turning);
+    EXPECT_NEAR(norm(K + (0.3 * 0.015 * norm(solved.vector(force)) / norm(w)) * w), 0, 1e-8) << friction;
+  };
+  law("K", "R", "w");
+  law("later", "then", "turns");
+  EXPECT_NEAR(solved.number("P"), dot(solved.vector("K"), solved.vector("w")), 1e-9);
+}
+
+// What slides in a plane in letters, along a line that the statement names.
+TEST(FrictionInJoints, APlateSlidesInLetters) {
+  const std::string text =
+      "letters: {m: kg, mu: 1, P: N}\npoints: {O: [0, 0, 0]}\nbodies: {plate: {disk: {center: O, normal: y, radius: "
+      "0.1 "
+      "m}, mass: m}}\njoints: {guide: {planar: y, at: O, to: plate, friction: {coefficient: mu}}}\n"
+      "loads: {pull: {force: [P, 0, 0], at: O, body: plate}}\ngravity: -y\ninstants: {now: rest}\n"
+      "ask: {a: acceleration(plate).x, F: friction(guide on plate).x}\n";
+  const SolvedStatement solved = solve_statement(read_statement(text, "test.yaml"), {});
+  ASSERT_EQ(solved.solutions.size(), 2U);
+  for (const Solution& solution : solved.solutions)
+    EXPECT_TRUE(solution.asks.front().formula) << solution.notes.front();
 }
 
 // Each of several freedoms is held or rubs by itself, whatever the others do.

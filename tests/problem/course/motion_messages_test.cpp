@@ -154,5 +154,15 @@ TEST(MotionMessages, AnErrorThatIsSeenInTheDigitsIsTold) {
   EXPECT_TRUE(told(sensitive).ends_with(" deg")) << told(sensitive);
 }
 
+TEST(MotionMessages, SpringsInSeriesAreOne) {
+  const std::string failure = failure_of_text(
+      "plane: [x, y]\npoints: {O: [0, 0], N: [0, -1 m], B: [0, -2 m]}\n"
+      "bodies: {node: {particle: N, mass: 0 kg}, bob: {particle: B, mass: 2 kg}}\n"
+      "springs: {one: {from: ground, at: O, to: node, end: N, stiffness: 100 N/m, free_length: 1 m}, "
+      "two: {from: node, at: N, to: bob, end: B, stiffness: 300 N/m, free_length: 1 m}}\n"
+      "gravity: -y\ninstants: {now: rest}\nask: {y: position(bob).y @ 0.3 s}\n");
+  EXPECT_NE(failure.find("springs in series through a massless point are one"), std::string::npos) << failure;
+}
+
 }  // namespace motion_messages_test
 }  // namespace poinsot::problem

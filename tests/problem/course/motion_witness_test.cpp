@@ -143,6 +143,27 @@ TEST(MotionWitness, what_has_no_value_at_some_times_is_held_at_the_others) {
   EXPECT_GT(MotionScan(beside, 0, turn, 100).of_extreme({right.value - 0.1, right.time}, true).value, 0.01);
 }
 
+// A contact whose push falls to zero at one second, in a motion that lets go of it at some time or other.
+MotionDoubt doubt_of_release(double told, const std::vector<bool>& then) {
+  const std::vector<HeldStretch> stretches{{{true, true}, 0.1, told}, {then, 0.2, told + 1}};
+  const auto doubt = doubt_before_giving_way(stretches, [](double time) {
+    return std::optional(time > 1 ? MotionDoubt{1, "the contact would have to pull"} : MotionDoubt{});
+  });
+  return doubt.value_or(MotionDoubt{-1, "nothing gave way"});
+}
+
+TEST(MotionWitness, what_gives_way_pushes_until_it_does) {
+  EXPECT_EQ(doubt_of_release(1, {true, false}).value, 0);
+  EXPECT_EQ(doubt_of_release(0.9, {true, false}).value, 0);
+  // Told too late by less than a hundredth of a step.
+  EXPECT_EQ(doubt_of_release(1.001, {true, false}).value, 1);
+  EXPECT_EQ(doubt_of_release(1.001, {false, true}).words, "the contact would have to pull");
+  // What goes on acting is looked at elsewhere.
+  EXPECT_EQ(doubt_of_release(1.001, {true, true}).value, -1);
+  // An instant without state says nothing.
+  EXPECT_FALSE(doubt_before_giving_way({{{true}, 0.1, 1}, {{false}, 0.1, 2}}, [](double) { return std::nullopt; }));
+}
+
 // Motions of all kinds are confirmed: followed in steps and in closed form.
 TEST(MotionWitness, confirms_motions_of_all_kinds) {
   const std::vector<std::string> motions{// A double pendulum.

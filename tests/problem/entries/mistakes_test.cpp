@@ -475,7 +475,8 @@ joints: {pin: {revolute: z, at: O, to: bar, rate: 0, accel: 2 rad/s^2, couple: 3
 ask: {v: angular_velocity(bar)}
 )",
        "test.yaml:3:80: error: joint 'pin' has rate:, accel: and couple: one too many: with rate and accel the couple "
-       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...))",
+       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...), or state "
+       "drive(...) under instants: if an unknown is to follow from it)",
        {}},
       {"AQuantityAmongTheData",
        R"(points: {O: [0, 0, 0], A: [1 m, 0, 0]}
@@ -977,7 +978,8 @@ ask: {a: angular_acceleration(disk)}
 )",
        "test.yaml:5:89: error: joint 'shaft' has rate:, accel: and couple: one too many: with rate and accel the "
        "couple "
-       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...))",
+       "is what is found (leave out accel: if the couple drives it, or the couple and ask for drive(...), or state "
+       "drive(...) under instants: if an unknown is to follow from it)",
        {}},
       {"SupportsCannotCarry",
        R"(title: t

@@ -73,5 +73,40 @@ ask: {a: mass(ball)}
   }
 }
 
+// What nothing uses is read all the same.
+TEST(Data, AreEvaluatedWhetherSomethingUsesThemOrNot) {
+  const std::string rest = "bodies: {ball: {particle: A, mass: m}}\nask: {a: mass(ball)}\n";
+  const auto fault = [&](const std::string& data) -> std::string {
+    try {
+      check_every_datum(read_statement(data + rest, "data.yaml"));
+    } catch (const StatementError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault("given: {m: 2 kg, M: 5 N*mmm}\npoints: {A: [0, 0, 0]}\n"),
+            "data.yaml:1:25: error: 'mmm' is not defined (if a unit is meant, write 'mm'; if a datum, define it under "
+            "given: or letters:)");
+  EXPECT_EQ(fault("given: {m: 2 kg, M: m + 3 N}\npoints: {A: [0, 0, 0]}\n"),
+            "data.yaml:1:23: error: a force cannot be added to a mass");
+  EXPECT_EQ(fault("given: {m: 2 kg, b: 20 deg, d: 40 mm*cosine(b)}\npoints: {A: [0, 0, 0]}\n"),
+            "data.yaml:1:38: error: there is no function 'cosine' (write cos(b))");
+  EXPECT_EQ(fault("given: {m: 2 kg}\npoints: {A: [0, 0, 0], B: [0, L, 0]}\n"),
+            "data.yaml:2:31: error: 'L' is not defined (define it under given:, letters:, points: or directions:)");
+  EXPECT_EQ(fault("given: {m: 2 kg}\npoints: {A: [0, 0, 0]}\ndirections: {u: Q->A}\n"),
+            "data.yaml:3:17: error: 'Q' is not defined (define it under given:, letters:, points: or directions:)");
+  // Letters and unknowns have no value yet, and a root may have one elsewhere.
+  EXPECT_EQ(
+      fault("letters: {m: kg, c: m, b: deg}\nfind: {d: m, u: {vector: m/s}}\ngiven: {e: sqrt(c - 9*d), f: "
+            "sin(b), k: norm(u), t: time/(2 s), o: any}\npoints: {A: [0, d, 0]}\ndirections: {u1: [c - d, 0, 0]}\n"
+            "instants: {now: {velocity(ball): u}}\n"),
+      "");
+  // A datum that makes sense in one situation need not do so in all.
+  const std::string both = "given: {m: 2 kg, b: 2*a}\npoints: {A: [0, 0, 0]}\n";
+  EXPECT_EQ(fault(both + "situations: {one: {given: {a: 1 m}}, two: {}}\n"), "");
+  EXPECT_EQ(fault(both + "situations: {one: {}, two: {}}\n"),
+            "data.yaml:1:23: error: 'a' is not defined (did you mean 'A'?)");
+}
+
 }  // namespace data_test
 }  // namespace poinsot::problem

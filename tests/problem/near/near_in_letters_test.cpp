@@ -134,6 +134,51 @@ TEST(NearInLetters, TwoFreedomsAreTheRootsOfAQuadratic) {
   }
 }
 
+// A bob on a ball joint, whose turning about its string is no coordinate by itself and moves nothing.
+TEST(NearInLetters, AConicalPendulumOnABallJoint) {
+  const SolvedText solved(
+      "title: t\nletters: {L: m, b: rad, g: m/s^2}\npoints: {O: [0, 0, 0], P: '[L*sin(b), -L*cos(b), 0]'}\n"
+      "frames: {f: {turns: y, rate: sqrt(g/(L*cos(b)))}}\nbodies: {bob: {particle: P, mass: any}}\n"
+      "joints: {s: {ball: O, to: bob}}\nsteady: {frame: f}\ngravity: -y\nask: {f: frequencies(bob)}\n");
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> draw(0.3, 1.4);
+  for (int i = 0; i < 20; ++i) {
+    const double L = draw(random), b = draw(random), g = draw(random);
+    const auto& f = formula(solved, "f").items;
+    ASSERT_EQ(f.size(), 1U);
+    const double expected = std::sqrt(g * (1 + 3 * std::pow(std::cos(b), 2)) / (L * std::cos(b)));
+    EXPECT_NEAR(value_at(f[0].number, {{"L", L}, {"b", b}, {"g", g}}), expected, 1e-12 * expected);
+  }
+}
+
+// A sleeping top tilts by exp(i p t) with J p^2 - I s p + m g c = 0, here with J = 2 m c^2 = 2 I: it swings where the
+// roots are real, and falls as it goes round where they are not.
+TEST(NearInLetters, ASleepingTopWhereItStandsAndWhereItFalls) {
+  const auto solved_where = [](const std::string& spin) {
+    return SolvedText("title: t\nletters: {m: kg, c: m, g: m/s^2, s: rad/s}\nassume: [" + spin +
+                      "]\ngiven: {J: 2*m*c^2}\npoints: {O: [0, 0, 0], G: [0, 0, c]}\n"
+                      "bodies: {top: {mass: m, center: G, inertia: {about: O, axis: z, axial: J/2, transverse: J}}}\n"
+                      "joints: {t: {ball: O, to: top}}\n"
+                      "steady: {frame: ground, spins: {top: {about: z, rate: s}}}\n"
+                      "gravity: -z\nask: {f: frequencies(top), grows: growth_rate(top)}\n");
+  };
+  const SolvedText stands = solved_where("s^2 > 8*g/c"), falls = solved_where("s^2 < 8*g/c");
+  for (const double s : {6.0, 9.0}) {
+    const LetterValues at{{"m", 0.7}, {"c", 0.5}, {"g", 1.3}, {"s", s}};
+    const auto& f = formula(stands, "f").items;
+    ASSERT_EQ(f.size(), 2U);
+    EXPECT_NEAR(value_at(f[0].number, at), (s - std::sqrt(s * s - 8 * 1.3 / 0.5)) / 4, 1e-12);
+    EXPECT_NEAR(value_at(f[1].number, at), (s + std::sqrt(s * s - 8 * 1.3 / 0.5)) / 4, 1e-12);
+  }
+  for (const double s : {1.0, 4.0}) {
+    const LetterValues at{{"m", 0.7}, {"c", 0.5}, {"g", 1.3}, {"s", s}};
+    const auto& f = formula(falls, "f").items;
+    ASSERT_EQ(f.size(), 2U);  // of what grows and of what dies out
+    for (const auto& one : f) EXPECT_NEAR(value_at(one.number, at), s / 4, 1e-12);
+    EXPECT_NEAR(value_at(formula(falls, "grows").number, at), std::sqrt(8 * 1.3 / 0.5 - s * s) / 4, 1e-12);
+  }
+}
+
 // Three freedoms that do not fall apart have a cubic, and what has a damper between two freedoms a quartic.
 TEST(NearInLetters, WhatHasNoFormulaIsLeftToNumbers) {
   const SolvedText solved(cart("f: frequencies(system)"));

@@ -140,6 +140,32 @@ TEST(PlanarStatement, TakesListsInQuotesForVectors) {
   }
 }
 
+// In questions, claims and conditions, too; there a list by itself is one of several things.
+TEST(PlanarStatement, TakesListsInQuestionsForVectors) {
+  const auto found = answers(
+      "title: t\nplane: [z, x]\npoints: {A: [3 m, 4 m]}\nbodies: {p: {particle: A, mass: 2 kg}}\ngravity: none\n"
+      "facts: {velocity(p): [3 m/s, 6 m/s]}\n"
+      "ask: {dot: 'dot(velocity(p) with [0.6, 0.8])', cross: 'cross(position(p) with [1 N, 2 N])', "
+      "norm: 'norm(velocity(p) - [3 m/s, 2 m/s])', "
+      "sum: '2*[1 m, 2 m] + position(p)', off: 'momentum(p) - 2 kg*[1 m/s, 0 m/s]', far: 'distance([0 m, 0 m] to "
+      "center(p))', H: 'angular_momentum(p about [1 m, 1 m])', two: ['max([position(p).x, position(p).z])', "
+      "'norm(position(p) + [2 m, 8 m])'], holds: {of: 'velocity(p) == 3*[1 m/s, 2 m/s]'}}\n"
+      "claim: {straight: 'cross(velocity(p) with [1, 2]) == 0'}\n");
+  EXPECT_NEAR(found.at("dot").value.number, 3 * 0.6 + 6 * 0.8, 1e-14);
+  // Angles are counted from z to x, about y.
+  EXPECT_NEAR(found.at("cross").value.number, -(3 * 2 - 4 * 1), 1e-14);
+  EXPECT_NEAR(found.at("norm").value.number, 4, 1e-14);
+  EXPECT_NEAR(found.at("far").value.number, 5, 1e-14);
+  EXPECT_NEAR(found.at("H").value.number, -2.0 * (2 * 6 - 3 * 3), 1e-13);
+  // On z and x, as answers are.
+  EXPECT_NEAR(found.at("sum").value.items.at(0).number, 8, 1e-14);
+  EXPECT_NEAR(found.at("sum").value.items.at(1).number, 5, 1e-14);
+  EXPECT_NEAR(found.at("off").value.items.at(1).number, 4, 1e-14);
+  EXPECT_NEAR(found.at("two").value.items.at(0).number, 4, 1e-14);
+  EXPECT_NEAR(found.at("two").value.items.at(1).number, 13, 1e-14);
+  EXPECT_TRUE(found.at("holds").value.truth);
+}
+
 // What moves in a plane keeps disks parallel: they roll on each other as circles do.
 TEST(PlanarStatement, LetsDisksTouchEachOther) {
   const auto found = answers(

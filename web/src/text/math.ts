@@ -17,6 +17,13 @@ export function math(tex: string, display = false): HTMLElement {
   return place;
 }
 
+// Who shows the page in a frame may forbid its fonts, as notebooks in VS Code do: then the browser sets the MathML.
+export function setByBrowserWithoutFonts(): void {
+  document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => {
+    if (effectiveDirective === "font-src") document.documentElement.classList.add("without-fonts");
+  });
+}
+
 // Names with their values, "L = 600 mm" or "mu_s = 0.5, mu_k = 0.4": the names typeset, angles with their sign.
 export function equations(text: string): Child[] {
   return text.split(", ").flatMap((one, k): Child[] => {

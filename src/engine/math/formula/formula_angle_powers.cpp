@@ -15,31 +15,41 @@ struct SineCosinePowers {
   int a, b, p, q, r, u;
 };
 
+// The functions of an angle, made once for all ways in which their powers are tried.
+struct AngleFunctions {
+  explicit AngleFunctions(const Generator& tangent)
+      : sine(call_form("sin", angle_form(tangent, 1))),
+        cosine(call_form("cos", sine.parts[0])),
+        tangent(call_form("tan", sine.parts[0])),
+        sine_of_double(call_form("sin", angle_form(tangent, 2))) {}
+
+  Form sine, cosine, tangent, sine_of_double;
+};
+
 // As it is written: s c as sin(2 a) / 2, s / c as the tangent.
-AnglePowers written(const Generator& g, const SineCosinePowers& x) {
-  const Form sine = call_form("sin", angle_form(g, 1));
-  const Form cosine = call_form("cos", angle_form(g, 1));
+AnglePowers written(const AngleFunctions& of_angle, const SineCosinePowers& x) {
+  const auto& [sine, cosine, tangent, sine_of_double] = of_angle;
   const Form one = number_form(Integer(1));
   AnglePowers result;
-  const auto add = [&result](Form base, int exponent) {
-    if (exponent != 0) result.powers.push_back({std::move(base), exponent});
+  const auto add = [&result](const Form& base, int exponent) {
+    if (exponent != 0) result.powers.push_back({base, exponent});
   };
   if (x.a != 0 && x.a == x.b) {
-    add(call_form("sin", angle_form(g, 2)), x.a);
+    add(sine_of_double, x.a);
     result.twos = -x.a;
   } else if (x.a * x.b < 0) {
     const int shared = std::min(std::abs(x.a), std::abs(x.b)) * (x.a > 0 ? 1 : -1);
-    add(call_form("tan", angle_form(g, 1)), shared);
+    add(tangent, shared);
     add(sine, x.a - shared);
     add(cosine, x.b + shared);
   } else {
     add(sine, x.a);
     add(cosine, x.b);
   }
-  add(sum_form({one, sine}), x.p);
-  add(sum_form({one, negative_form(sine)}), x.q);
-  add(sum_form({one, cosine}), x.r);
-  add(sum_form({one, negative_form(cosine)}), x.u);
+  if (x.p != 0) add(sum_form({one, sine}), x.p);
+  if (x.q != 0) add(sum_form({one, negative_form(sine)}), x.q);
+  if (x.r != 0) add(sum_form({one, cosine}), x.r);
+  if (x.u != 0) add(sum_form({one, negative_form(cosine)}), x.u);
   return result;
 }
 
@@ -53,6 +63,7 @@ AnglePowers angle_powers(const Generator& tangent, const HalfTangents& half) {
   }
   std::optional<AnglePowers> best;
   int best_cost = 0;
+  const AngleFunctions of_angle(tangent);
   const int reach = std::abs(half.sine) + std::abs(half.plus) + std::abs(half.minus) + std::abs(half.one) + 2;
   for (int a = -reach; a <= reach; ++a) {
     if ((a - half.sine) % 2 != 0) continue;
@@ -60,7 +71,7 @@ AnglePowers angle_powers(const Generator& tangent, const HalfTangents& half) {
       if ((b - half.plus) % 2 != 0) continue;
       const int p = (half.plus - b) / 2, q = (half.minus - b) / 2, u = (half.sine - a) / 2;
       const int r = -(half.one + a + b + p + q + u);
-      AnglePowers tried = written(tangent, {a, b, p, q, r, u});
+      AnglePowers tried = written(of_angle, {a, b, p, q, r, u});
       const int cost = operators(product_form(Integer(1), Integer(1), tried.powers));
       if (best && cost >= best_cost) continue;
       tried.twos -= a + r + u;

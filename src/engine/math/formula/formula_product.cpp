@@ -1,6 +1,9 @@
 // Forms of products: which factors stand above and below the line and under the root.
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
 
 #include "engine/math/formula/formula_form.h"
 
@@ -367,7 +370,9 @@ Form angle_form(const Generator& tangent, std::int64_t times) {
   return form_of(ratio_formula(tangent.multiple) * Formula(times) * tangent.argument);
 }
 
-Form form_of(const Formula& x) {
+namespace {
+
+Form written_form(const Formula& x) {
   if (x.is_zero()) return number_form(Integer(0));
   // pi - acos(u) is acos(-u).
   if (x.fraction()->generators->size() == 2)
@@ -375,6 +380,30 @@ Form form_of(const Formula& x) {
       if (g->kind == Kind::inverse && g->name == "acos" && x == Formula::pi() - generator_formula(g))
         return call_form("acos", form_of(-g->argument));
   return choice_of(x).form;
+}
+
+// What stands under a root or in a function is met again in each way that is tried for the whole: until that is
+// written, the forms of its parts are kept, by their keys.
+thread_local std::unordered_map<std::string, Form>* forms_of_parts = nullptr;
+
+}  // namespace
+
+Form form_of(const Formula& x) {
+  if (!forms_of_parts) {
+    std::unordered_map<std::string, Form> forms;
+    struct Kept {
+      explicit Kept(std::unordered_map<std::string, Form>& forms) { forms_of_parts = &forms; }
+      Kept(const Kept&) = delete;
+      Kept& operator=(const Kept&) = delete;
+      ~Kept() { forms_of_parts = nullptr; }
+    } const kept(forms);
+    return written_form(x);
+  }
+  std::string key = key_of(x);
+  if (const auto known = forms_of_parts->find(key); known != forms_of_parts->end()) return known->second;
+  Form form = written_form(x);
+  forms_of_parts->emplace(std::move(key), form);
+  return form;
 }
 
 }  // namespace poinsot::symbolic

@@ -126,8 +126,9 @@ class SumWriter {
   // The sum, or where that is shorter with a factor pulled out of those terms that have it: L^2 + (r^2 - L^2) c^2.
   Form shortest(const Polynomial& p, int depth) {
     Form best = flat_form(p, variables_);
-    if (p.length() < 3 || p.length() > few_terms_of_sum || depth > 3 || (budget_ -= static_cast<int>(p.length())) < 0)
-      return best;
+    if (p.length() < 3 || p.length() > few_terms_of_sum || depth > 3) return best;
+    budget_ -= static_cast<int>(p.length());
+    if (budget_ < 0) return best;
     int best_cost = operators(best);
     const auto offer = [&](const Form& first, const Polynomial& rest) {
       std::vector<Form> terms = terms_of(first);

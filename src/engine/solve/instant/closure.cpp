@@ -170,7 +170,7 @@ namespace {
 template <class Scalar>
 Vector3<Scalar> change_beyond_rounding(const Vector3<Scalar>& from, const Vector3<Scalar>& to, double size) {
   constexpr double rounding = 1e-12;  // of the radius, beside which a contact may be carried far
-  const Vector3<Scalar> change = to - from;
+  Vector3<Scalar> change = to - from;
   // Formulas hold no rounding.
   if constexpr (std::is_same_v<Scalar, Formula>) return change;
   return norm(plain(change)) < rounding * size ? change - lifted<Scalar>(plain(change)) : change;

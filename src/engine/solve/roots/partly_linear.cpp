@@ -88,7 +88,8 @@ class Structure {
         VectorXd v = u;
         v[k] += way;
         step = way;
-        if ((there = values(v))) break;
+        there = values(v);
+        if (there) break;
       }
       if (!there) return false;
       steps.push_back(step);

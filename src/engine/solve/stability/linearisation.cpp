@@ -95,6 +95,7 @@ class Lineariser {
   Linearisation linearise() {
     Linearisation result;
     result.steady = form();
+    result.unsteady = unsteady_;
     result.pace = pace_;
     result.length = motion_.length;
     if (!result.steady) return result;
@@ -336,7 +337,7 @@ class Lineariser {
   }
   // The largest change of a velocity in natural units, as a part of the pace; nothing if it exceeds what the errors
   // of the pose and the velocities explain: then the motion is not steady. A: the matrix before the spin is added.
-  std::optional<double> unrest_of(const Matrix& spin, const Matrix& A, double pace) const {
+  std::optional<double> unrest_of(const Matrix& spin, const Matrix& A, double pace) {
     // Of the terms. What is stated of a steady motion may be found by a search to 1e-9, and a rate that is solved for
     // at a shallow root a hundred times worse. A precession that is a thousandth too fast is refused all the same.
     constexpr double closely = 1e-7;
@@ -345,16 +346,20 @@ class Lineariser {
     const Matrix spin_size = spin.cwiseAbs();
     const Vector v_size = v.cwiseAbs();
     const Eigen::VectorXd turned = (spin_size * v_size).cast<double>();
-    double largest = 0;
+    double largest = 0, most = 1;
     for (Index k = 0; k < n_; ++k) {
       double terms = turned[k] + unit(k) / (motion_.time * motion_.time);
       for (Index j = 0; j < n_; ++j)
         terms += std::abs(static_cast<double>(A(n_ + k, j))) * unit(j) +
                  std::abs(static_cast<double>(A(n_ + k, n_ + j) * v[j]));
-      if (std::abs(change[k]) > closely * terms + 64 * epsilon * unit(k) * pace * pace) return std::nullopt;
+      const double allowed = closely * terms + 64 * epsilon * unit(k) * pace * pace;
+      if (std::abs(change[k]) > most * allowed) {
+        most = std::abs(change[k]) / allowed;
+        unsteady_ = static_cast<int>(k);
+      }
       largest = std::max(largest, std::abs(change[k]) / unit(k) / (pace * pace));
     }
-    return largest;
+    return unsteady_ < 0 ? std::optional(largest) : std::nullopt;
   }
 
   // The conditions that deviations satisfy: held coordinates do not deviate, and constraints go on holding. coupled:
@@ -453,6 +458,7 @@ class Lineariser {
   const Model<double>& tree_;
   AccelerationSlopes slopes_;
   Index n_;
+  int unsteady_ = -1;
   Matrix seen_;  // takes unseen motions out of deviations
   double pace_ = 0;
   Doubted A_;

@@ -58,6 +58,7 @@ enum class Stability { stable, unstable, undecided };
 
 struct Linearisation {
   bool steady = true;  // whether the motion is steady at all
+  int unsteady = -1;   // if it is not, the velocity coordinate that changes most
   // One of each conjugate pair, in order of falling growth rate, without those of the symmetries.
   std::vector<Mode> modes;
   double length = 1;   // m: the natural length of the motion

@@ -1,0 +1,27 @@
+// What is so far apart that nothing of it is seen beside the way between: an axle on a frame that turns about the
+// middle of a wide curve. As draughtsmen do, the way is drawn broken, and shorter than it is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pictures/figure/panel.h"
+#include "poinsot/scene.h"
+
+namespace poinsot::pictures {
+
+struct Shortened {
+  scene::Scene scene;
+  std::vector<std::string> bodies;  // those that are drawn nearer than they are
+  // The plane across the way that is left, in its middle: what crosses it is broken there.
+  Vector middle, along;
+};
+// The scene with its two parts near each other, if nothing lies between them and the way is many times what each of
+// them takes. Nothing if it has no such parts, or a shape of a body runs from one to the other.
+std::optional<Shortened> shortened(const scene::Scene& scene);
+
+// Marks of what is broken: arms of bodies, cords and springs.
+void draw_breaks(Panel& panel, const Shortened& broken);
+
+}  // namespace poinsot::pictures
