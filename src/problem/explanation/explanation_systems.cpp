@@ -306,7 +306,7 @@ std::vector<std::set<int>> InstantExplainer::choose_systems() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [&](int body) { return mechanism().tree.body(body).inertia.mass > 0; });
   };
-  const std::vector<std::set<int>> whole = whole_systems();
+  std::vector<std::set<int>> whole = whole_systems();
   // The candidates are what remains connected after one cut, and single bodies.
   const Mechanism<double>& m = mechanism();
   const auto between = [&](const Action& action) {
