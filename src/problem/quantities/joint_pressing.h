@@ -3,7 +3,7 @@
 //   across  V = r (f - (f . e) e),   along  V = r (f . e) e,
 //   whole   V = r f, of a ball in its socket,
 //   end     V = r ((f - (f . e) e)/2 + (m x e)/L), as the forces at the ends P + e L/2 and P - e L/2 add up to those,
-//   thread  V = (r' (f . e) + c M) e, with the couple M of the friction itself (machine_contacts.cpp).
+//   thread  V = (r' (f . e) + c M) e, with the couple M of the friction itself (machine_friction.cpp).
 // The friction is at most m0 (|V1| + |V2| + ...) while the joint holds, and m times that against its rate while it
 // moves. Where the joint slips in several ways together, s = s1 e1 + s2 e2 + ... with s_i = r_i v_i of their rates, the
 // friction is F = -m (|V1| + ...) s/|s|, and the effort of each way, whose power is that of F, r_i F . e_i.
