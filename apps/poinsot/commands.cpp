@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -109,7 +110,7 @@ std::vector<std::string> problem_files(const std::vector<std::string>& paths) {
 
 int solve(const SolveArguments& arguments) {
   if (!arguments.output.empty()) return write_worked_solutions(arguments);
-  const poinsot::TerminalStyle style{.color = wants_color()};
+  const poinsot::TerminalStyle style{.color = wants_color(), .columns = terminal_columns(STDOUT_FILENO)};
   const std::vector<std::string> files = problem_files(arguments.files);
   int code = files.empty() ? exit_wrong_input : exit_answered;
   bool first = true;
@@ -123,7 +124,7 @@ int solve(const SolveArguments& arguments) {
       } else if (arguments.explain) {
         text = (first ? "" : "\n") + to_markdown(document);
       } else {
-        text = (first ? "" : "\n") + fitted_to_terminal(to_terminal(document, style));
+        text = (first ? "" : "\n") + fitted_to_terminal(to_terminal(document, style), Lines::of_answers);
       }
       first = false;
       const bool answered = fully_answered(document);

@@ -163,8 +163,12 @@ int run(int argument_count, const char* const* arguments) {
   program.set_version_flag("--version", "poinsot " POINSOT_VERSION);
   program.require_subcommand(1);
   program.footer(
-      "Exit codes: 0 all answered; 1 without answer, or an answer that failed its check; 2 wrong input;\n"
-      "3 internal failure; 130 interrupted.");
+      "Exit codes:\n"
+      "  0    all answered\n"
+      "  1    without answer, or an answer that failed its check\n"
+      "  2    wrong input\n"
+      "  3    internal failure\n"
+      "  130  interrupted");
 
   SolveArguments solve_arguments;
   std::vector<std::string> settings;

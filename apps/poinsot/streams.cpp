@@ -61,11 +61,12 @@ bool environment_has(const char* name) {
 
 // A line, with its end, in several lines that are no longer than the columns; what follows stands below the second of
 // two columns of text, or set in.
-std::string broken_line(const std::string& line, std::size_t columns) {
+std::string broken_line(const std::string& line, std::size_t columns, Lines lines) {
   constexpr std::size_t of_answers = 7, most_hanging = 32;
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  if (indent >= of_answers || line.starts_with("To give values")) return line;
-  std::size_t width = 0, hanging = indent + 3, last_blank = 0, width_there = 0;
+  const bool deep = indent >= of_answers;
+  if ((deep && lines == Lines::of_answers) || line.starts_with("To give values")) return line;
+  std::size_t width = 0, hanging = deep ? indent : indent + 3, last_blank = 0, width_there = 0;
   bool told = false;
   std::string result;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -83,7 +84,9 @@ std::string broken_line(const std::string& line, std::size_t columns) {
       told = true;
     }
     if (letter && line[i] != '\n' && width >= columns && last_blank > 0) {
-      result.replace(last_blank, 1, "\n" + std::string(hanging, ' '));
+      std::size_t end = last_blank;
+      while (end > 0 && result[end - 1] == ' ') --end;
+      result.replace(end, last_blank + 1 - end, "\n" + std::string(hanging, ' '));
       width = width - width_there - 1 + hanging;
       last_blank = 0;
     }
@@ -152,14 +155,14 @@ std::size_t terminal_columns(int descriptor) {
   return isatty(descriptor) == 1 && ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-std::string fitted_to_terminal(const std::string& text) {
+std::string fitted_to_terminal(const std::string& text, Lines lines) {
   const std::size_t columns = terminal_columns(STDOUT_FILENO);
   constexpr std::size_t least_columns = 40;
   if (columns < least_columns) return text;
   std::string fitted;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size() - 1);
-    fitted += broken_line(text.substr(begin, end + 1 - begin), columns);
+    fitted += broken_line(text.substr(begin, end + 1 - begin), columns, lines);
     begin = end + 1;
   }
   return fitted;

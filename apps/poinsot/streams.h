@@ -47,9 +47,13 @@ void write_on_terminal(std::string_view text);
 // The columns of the terminal behind a descriptor; 0 where there is none.
 std::size_t terminal_columns(int descriptor);
 
+// What is printed: among answers, lines that are set in by seven blanks or more are values and formulas, which are
+// copied.
+enum class Lines { of_words, of_answers };
+
 // The text for standard output, whose long lines of words go on below their beginnings where a terminal is too narrow
-// for them. Formulas, which are copied, stand as they are: lines of answers are set in by seven blanks.
-std::string fitted_to_terminal(const std::string& text);
+// for them. Values and formulas stand as they are.
+std::string fitted_to_terminal(const std::string& text, Lines lines = Lines::of_words);
 
 // Whether standard output is a terminal that shows color and the environment does not forbid it (no-color.org).
 bool wants_color();

@@ -16,6 +16,8 @@ namespace poinsot {
 struct TerminalStyle {
   bool color = false;  // with ANSI escape sequences
   int digits = 6;      // significant digits of a number, at least 1
+  // Of the terminal: what does not fit beside the words of its question stands below them. 0: as wide as it takes.
+  std::size_t columns = 0;
 };
 
 // The title; for each solution its unknowns, the answer to each question, and the checks; what to do about open

@@ -93,25 +93,44 @@ class TerminalText {
   void answers(const std::vector<Answer>& answers) {
     std::size_t name_width = 0;
     std::size_t words_width = 0;
+    for (const Answer& answer : answers) name_width = std::max(name_width, display_width(printable(answer.name)));
+    const std::size_t words_begin = 2 + name_width + 2;
+    const auto fits = [&](const Answer& answer, std::size_t begin) {
+      return style_.columns == 0 || begin + width_of_lines(answer) <= style_.columns;
+    };
     for (const Answer& answer : answers) {
-      name_width = std::max(name_width, display_width(printable(answer.name)));
       const std::size_t width = display_width(words_of(answer));
-      if (width <= widest_words) words_width = std::max(words_width, width);
+      if (width <= widest_words && (is_table(answer) || fits(answer, words_begin + width + 2)))
+        words_width = std::max(words_width, width);
     }
-    const std::string indentation(2 + name_width + 2 + words_width + 2, ' ');
+    const std::size_t aligned = words_begin + words_width + 2;
     for (const Answer& answer : answers) {
       const std::string words = words_of(answer);
       text_ += "  " + painted(Role::name, padded_right(printable(answer.name), name_width)) + "  ";
       const std::vector<std::string> lines = found_lines(answer);
-      const bool table = !answer.columns.empty() && (answer.state == AnswerState::found || !answer.formula.empty());
-      const bool below = table || display_width(words) > words_width;
+      const bool below = is_table(answer) || display_width(words) > words_width || !fits(answer, aligned);
       text_ += below ? words + "\n" : padded_right(words, words_width) + "  ";
+      // A table starts below its name, where there is more room; what is too wide for its column below the words.
+      const std::size_t begin = is_table(answer) ? 4 : fits(answer, aligned) ? aligned : words_begin + 2;
       for (std::size_t i = 0; i < lines.size(); ++i) {
-        // A table starts below its name, where there is more room.
-        if (i > 0 || below) text_ += table ? "    " : indentation;
+        if (i > 0 || below) text_ += std::string(begin, ' ');
         text_ += lines[i] + "\n";
       }
     }
+  }
+
+  static bool is_table(const Answer& answer) {
+    return !answer.columns.empty() && (answer.state == AnswerState::found || !answer.formula.empty());
+  }
+
+  // Of the widest line of an answer. Colors take no room.
+  std::size_t width_of_lines(const Answer& answer) const {
+    TerminalStyle plain = style_;
+    plain.color = false;
+    std::size_t width = 0;
+    for (const std::string& line : TerminalText(plain).found_lines(answer))
+      width = std::max(width, display_width(line));
+    return width;
   }
 
   static std::string words_of(const Answer& answer) {
@@ -270,16 +289,17 @@ class TerminalText {
       std::ranges::replace(words, '_', ' ');
       parts.push_back(words + " " + rounded_residual(residual));
     }
-    std::string line = fmt::format("checked on particles: {}", fmt::join(parts, ", "));
+    std::vector<std::string> said;
+    if (!parts.empty()) said.push_back(fmt::format("checked on particles: {}", fmt::join(parts, ", ")));
     if (const auto facts = checks.find("facts"); facts != checks.end())
-      line += "; facts hold to " + rounded_residual(facts->second);
+      said.push_back("facts hold to " + rounded_residual(facts->second));
     if (const auto roots = checks.find("roots"); roots != checks.end())
-      line += "; a scan finds no other roots" +
-              (roots->second == 0 ? std::string() : ", and these within " + rounded_residual(roots->second));
+      said.push_back("a scan finds no other roots" +
+                     (roots->second == 0 ? std::string() : ", and these within " + rounded_residual(roots->second)));
     if (const auto formulas = checks.find("formulas"); formulas != checks.end())
-      line += "; formulas agree with numbers to " + rounded_residual(formulas->second);
-    if (!of_motion.empty()) line += fmt::format("; the motion: {}", fmt::join(of_motion, ", "));
-    return line;
+      said.push_back("formulas agree with numbers to " + rounded_residual(formulas->second));
+    if (!of_motion.empty()) said.push_back(fmt::format("the motion: {}", fmt::join(of_motion, ", ")));
+    return fmt::format("{}", fmt::join(said, "; "));
   }
 
   // Shows how to give values to the letters that answers need.

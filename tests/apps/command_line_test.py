@@ -3,15 +3,18 @@
 
 usage: command_line_test.py PROGRAM SOURCE_FOLDER
 """
+import fcntl
 import json
 import os
 import pathlib
 import pty
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import unittest
 
@@ -445,6 +448,44 @@ class Galleries(unittest.TestCase):
             self.assertEqual(process.wait(timeout=60), 0)
         os.close(terminal)
         return told.decode()
+
+
+class NarrowTerminals(unittest.TestCase):
+    """What is printed where a terminal has few columns."""
+
+    # Beside the sources: the path of a file is not broken.
+    DISKS = "examples/mechanisms/planar-disks-that-collide.yaml"
+
+    def printed(self, columns, *arguments):
+        terminal, side = pty.openpty()
+        fcntl.ioctl(side, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        with subprocess.Popen([os.path.abspath(PROGRAM), *arguments], stdin=subprocess.DEVNULL, stdout=side, stderr=side,
+                              cwd=SOURCE, env={**os.environ, "NO_COLOR": "1"}) as process:
+            os.close(side)
+            text = b""
+            try:
+                while part := os.read(terminal, 65536):
+                    text += part
+            except OSError:  # so a terminal ends
+                pass
+            process.wait(timeout=60)
+        os.close(terminal)
+        return text.decode().replace("\r\n", "\n").splitlines()
+
+    def test_no_line_is_longer_than_the_terminal_or_ends_in_blanks(self):
+        for columns in (60, 80, 120):
+            for arguments in (("solve", "--help"), ("--help",), ("help", "turns"), ("solve", self.DISKS)):
+                lines = self.printed(columns, *arguments)
+                self.assertGreater(len(lines), 5)
+                for line in lines:
+                    self.assertLessEqual(len(line), columns, (columns, arguments))
+                    self.assertEqual(line, line.rstrip(), (columns, arguments))
+
+    def test_values_are_not_torn(self):
+        lines = self.printed(60, "solve", self.DISKS)
+        self.assertIn("            (2.025, 1.16913) m/s  on x, y", lines)
+        # What is asked with a vector shows the components that the file gives it.
+        self.assertIn("[cos(b), sin(b)]", " ".join(line.strip() for line in lines))
 
 
 class WorkedSolutions(unittest.TestCase):

@@ -191,7 +191,7 @@ TEST(ExplanationSteps, ALimitOfStickingHasTheLawOfFriction) {
   const std::string text = of_example("mechanisms/ladder-between-rough-walls");
   const std::string limit = text.substr(text.find("\n## Friction, at the largest *s*\n"));
   expect_pieces(limit, {"*floor* and *wall* are about to slip, where Coulomb's law holds as an equality:",
-                        "\\left|F_{\\mathrm{floor},x}\\right| &= 0.35\\,N_{\\mathrm{floor}} = "});
+                        "\\left|F_{\\mathrm{floor},x}\\right| &= \\mu\\,N_{\\mathrm{floor}} = "});
   const double weight = 90 * 9.80665, push = weight / (1 + 0.35 * 0.35);
   const auto number_behind = [&](const std::string& piece) {
     const std::size_t at = limit.find(piece);
@@ -204,6 +204,58 @@ TEST(ExplanationSteps, ALimitOfStickingHasTheLawOfFriction) {
   const std::string here = section(text, "Friction");
   expect_pieces(here, {"one way in which all of them stick is"});
   EXPECT_EQ(here.find("about to slip"), std::string::npos);
+}
+
+// A_x = -W BC w1^2/g is an equation of components and its solution: it is said once.
+TEST(ExplanationSteps, WhatTheComponentsSayIsNotSolvedAgain) {
+  const std::string text = of_example("textbook/18.097");
+  EXPECT_EQ(count_of(text, "A_{x} &= "), 1u) << text;
+  EXPECT_EQ(section(text, "Unknowns"), "") << text;
+  expect_pieces(section(text, "Component equations"), {"M_{A,z} &= "});
+}
+
+// The cord asks for the square of the bob's velocity, which only the motion tells.
+TEST(ExplanationSteps, VelocitiesToWhichAMotionHasLedAreTold) {
+  const std::string text = of_example("mechanisms/swinging-atwood");
+  expect_pieces(
+      section(text, "Kinetic side, at 0.5 s"),
+      {"The motion has led *bob* to", "\\mathbf{v}_{G_{\\mathrm{bob}}} = (", "The motion has led *weight* to"});
+  EXPECT_EQ(section(text, "Kinetic side, at the start").find("has led"), std::string::npos);
+}
+
+TEST(ExplanationSteps, EnergyRelativeToTheCenterHasItsOwnName) {
+  const std::string text = of_example("textbook/18.047");
+  expect_pieces(section(text, "Kinetic energy"), {"\nT = ", "\nT' = "});
+}
+
+TEST(ExplanationSteps, BothEndsOfASwingAreToldTogetherWhereLettersTellThemAlike) {
+  const std::string text = of_example("textbook/18.133");
+  EXPECT_EQ(count_of(text, "its rate vanishes"), 1u) << text;
+  expect_pieces(text, {"Where $\\theta$ is largest or smallest its rate vanishes, and what is kept says:"});
+}
+
+TEST(ExplanationSteps, ThePrincipleOfStagesIsNotHowBodiesAreHeld) {
+  expect_pieces(section(of_example("textbook/18.022"), "Principle"), {"In each stage the forces from outside"});
+}
+
+// L cos(b) w^2 = g (3 cos(b)^2 + 1) has no half angle, of which both terms had the sixth power of the cosine.
+TEST(ExplanationSteps, TermsOfAFrequencyShareNoPowersOfHalfAngles) {
+  const std::string text = of_example("mechanisms/conical-pendulum-on-a-ball-joint");
+  EXPECT_EQ(section(text, "Small disturbances").find("\\frac{b}{2}"), std::string::npos) << text;
+}
+
+// What rests moves in no plane, and a particle has three equations.
+TEST(ExplanationSteps, WhatRestsOrIsAParticleIsNotSaidToBeMore) {
+  const std::string of_particles = of_example("mechanisms/hawser-round-a-bollard");
+  expect_pieces(of_particles,
+                {"Everything rests, and nothing is known to act across the $xy$ plane: of the three equations "
+                 "of a particle the two of the plane are left."});
+  EXPECT_EQ(of_particles.find("moves in the"), std::string::npos);
+  expect_pieces(
+      of_example("mechanisms/hinged-rods-on-ice"),
+      {"Everything starts from rest, and nothing is known to act across the $xy$ plane: of the six equations"});
+  expect_pieces(of_example("mechanisms/planar-disks-that-collide"),
+                {"Everything moves in the $xy$ plane, and nothing is known to act across it: of the six equations"});
 }
 
 // Of a limit that is asked beside other things, the lines of the rest are not those at it.

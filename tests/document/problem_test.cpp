@@ -231,6 +231,21 @@ TEST_F(ProblemFile, EquationsAreWrittenInTheFormAskedFor) {
   EXPECT_NE(failure_of([&] { problem.equations({.situation = "nowhere"}); }).find("nowhere"), std::string::npos);
 }
 
+// A vector is told as the file writes it, in the plane by two components.
+TEST_F(ProblemFile, QuestionsWithVectorsAreToldInWords) {
+  EXPECT_EQ(Problem::from_text(disk, "disk.yaml").solve().solutions.at(0).answers.at(0).words,
+            "angular momentum of disk about [0, 0, 0]");
+  const Document planar =
+      Problem::from_text(
+          "plane: [x, y]\ngiven: {b: 30 deg}\ngravity: none\nbodies: {bob: {particle: [0 m, 0 m], mass: 1 kg}}\n"
+          "instants: {now: {velocity(bob): [3 m/s, 0 m/s]}}\n"
+          "ask: {u: 'dot(velocity(bob) with [cos(b), sin(b)])'}\n",
+          "bob.yaml")
+          .solve();
+  EXPECT_EQ(planar.solutions.at(0).answers.at(0).words,
+            "scalar product of velocity of the mass center of bob and [cos(b), sin(b)]");
+}
+
 TEST_F(ProblemFile, CopiesAreTheSameProblem) {
   Problem problem = Problem::from_text(disk, "disk.yaml");
   const Problem copy = problem;

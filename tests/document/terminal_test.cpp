@@ -114,5 +114,23 @@ TEST(Terminal, data_by_their_kind) {
   EXPECT_EQ(shown(list({Datum{1.0}, Datum{std::string("A")}})), "[1, A]");
 }
 
+// A value stands beside its words where it fits, or else below them: in the common column, or where that is too far to
+// the right a little behind the words' beginning.
+TEST(Terminal, what_does_not_fit_into_the_columns_stands_below_its_words) {
+  Document document = document_of(found("ab", Datum{1.5}, "m", Datum{1.5}));
+  document.file = "f";
+  for (const auto& [name, words] : {std::pair("v", "velocity of A"), std::pair("w", "rate")}) {
+    document.solutions[0].answers.push_back(found(name, numbers({10.25, -2.5}), "m/s", numbers({10.25, -2.5})));
+    document.solutions[0].answers.back().words = words;
+  }
+  document.solutions[0].answers[0].words = "height of A";
+  const std::string first = "f\n\n  ab  height of A  1.5 m\n  v   velocity of A\n";
+  EXPECT_EQ(to_terminal(document, {.columns = 36}),
+            first + "                   [10.25, -2.5] m/s\n  w   rate         [10.25, -2.5] m/s\n");
+  EXPECT_EQ(to_terminal(document, {.columns = 35}),
+            first + "        [10.25, -2.5] m/s\n  w   rate\n        [10.25, -2.5] m/s\n");
+  EXPECT_NE(to_terminal(document).find("  v   velocity of A  [10.25, -2.5] m/s\n"), std::string::npos);
+}
+
 }  // namespace terminal_test
 }  // namespace poinsot::document

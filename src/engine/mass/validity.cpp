@@ -39,23 +39,28 @@ struct NamedMoments {
   std::string explanation;
 };
 
-NamedMoments named_moments(const SymmetricMatrix3<double>& inertia, const Vector3<double>& principal,
-                           double tolerance) {
+NamedMoments named_moments(const SymmetricMatrix3<double>& inertia, const Vector3<double>& principal, double tolerance,
+                           const MomentUnit& unit) {
   const double off_diagonal = std::max({std::abs(inertia.xy), std::abs(inertia.yz), std::abs(inertia.zx)});
   const double largest = std::max({std::abs(inertia.xx), std::abs(inertia.yy), std::abs(inertia.zz)});
   if (off_diagonal <= tolerance * largest) return {{"I_x", "I_y", "I_z"}, {inertia.xx, inertia.yy, inertia.zz}, ""};
-  return {{"I_1", "I_2", "I_3"},
-          principal,
-          fmt::format(" (principal moments of I_x = {:.10g}, I_y = {:.10g}, I_z = {:.10g}, I_xy = {:.10g}, I_yz = "
-                      "{:.10g}, I_zx = {:.10g} kg m^2)",
-                      inertia.xx, inertia.yy, inertia.zz, 0 - inertia.xy, 0 - inertia.yz, 0 - inertia.zx)};
+  return {
+      {"I_1", "I_2", "I_3"},
+      principal,
+      fmt::format(" (principal moments of I_x = {:.10g}, I_y = {:.10g}, I_z = {:.10g}, I_xy = {:.10g}, I_yz = "
+                  "{:.10g}, I_zx = {:.10g} {})",
+                  inertia.xx / unit.size, inertia.yy / unit.size, inertia.zz / unit.size, (0 - inertia.xy) / unit.size,
+                  (0 - inertia.yz) / unit.size, (0 - inertia.zx) / unit.size, unit.text)};
 }
 
-std::string short_by(double amount) { return fmt::format("short by {:.4g} kg m^2", amount); }
+std::string short_by(double amount, const MomentUnit& unit) {
+  return fmt::format("short by {:.4g} {}", amount / unit.size, unit.text);
+}
 
 }  // namespace
 
-std::optional<InvalidMassReport> validate(const MassProperties<double>& body, std::string_view name, double tolerance) {
+std::optional<InvalidMassReport> validate(const MassProperties<double>& body, std::string_view name, double tolerance,
+                                          const MomentUnit& unit) {
   const SymmetricMatrix3<double>& inertia = body.inertia_center;
   if (auto report = non_finite({{"the mass", body.mass},
                                 {"the x coordinate of the mass center", body.center.x},
@@ -85,20 +90,20 @@ std::optional<InvalidMassReport> validate(const MassProperties<double>& body, st
     if (largest == 0) return std::nullopt;
     return InvalidMassReport{
         MassRule::inertia_needs_mass,
-        fmt::format(
-            "{}: the mass is zero but the largest principal moment of inertia is {:.10g} kg m^2; give a mass, or "
-            "no inertia",
-            quoted(name), largest),
+        fmt::format("{}: the mass is zero but the largest principal moment of inertia is {:.10g} {}; give a mass, or "
+                    "no inertia",
+                    quoted(name), largest / unit.size, unit.text),
         largest, principal};
   }
 
-  const NamedMoments moments = named_moments(inertia, principal, tolerance);
+  const NamedMoments moments = named_moments(inertia, principal, tolerance, unit);
   for (std::size_t i = 0; i < 3; ++i) {
     if (moments.values[i] < -tolerance * largest) {
       return InvalidMassReport{
           MassRule::nonnegative_moments,
-          fmt::format("{}: no rigid body has these moments: {} >= 0 is broken: {:.10g} < 0 kg m^2 ({}){}", quoted(name),
-                      moments.names[i], moments.values[i], short_by(-moments.values[i]), moments.explanation),
+          fmt::format("{}: no rigid body has these moments: {} >= 0 is broken: {:.10g} < 0 {} ({}){}", quoted(name),
+                      moments.names[i], moments.values[i] / unit.size, unit.text, short_by(-moments.values[i], unit),
+                      moments.explanation),
           -moments.values[i], principal};
     }
   }
@@ -110,11 +115,11 @@ std::optional<InvalidMassReport> validate(const MassProperties<double>& body, st
     if (shortage > tolerance * largest) {
       return InvalidMassReport{
           MassRule::triangle_inequality,
-          fmt::format(
-              "{}: no rigid body has these moments: {} + {} >= {} is broken: {:.10g} + {:.10g} < {:.10g} kg m^2 "
-              "({}){}",
-              quoted(name), moments.names[j], moments.names[k], moments.names[i], moments.values[j], moments.values[k],
-              moments.values[i], short_by(shortage), moments.explanation),
+          fmt::format("{}: no rigid body has these moments: {} + {} >= {} is broken: {:.10g} + {:.10g} < {:.10g} {} "
+                      "({}){}",
+                      quoted(name), moments.names[j], moments.names[k], moments.names[i], moments.values[j] / unit.size,
+                      moments.values[k] / unit.size, moments.values[i] / unit.size, unit.text, short_by(shortage, unit),
+                      moments.explanation),
           shortage, principal};
     }
   }
@@ -123,7 +128,7 @@ std::optional<InvalidMassReport> validate(const MassProperties<double>& body, st
 
 std::optional<InvalidMassReport> validate(double mass, const Vector3<double>& center,
                                           const Matrix3<double>& inertia_center, std::string_view name,
-                                          double tolerance) {
+                                          double tolerance, const MomentUnit& unit) {
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) largest = std::max(largest, std::abs(inertia_center(i, j)));
@@ -137,15 +142,15 @@ std::optional<InvalidMassReport> validate(double mass, const Vector3<double>& ce
       if (difference > tolerance * largest) {
         return InvalidMassReport{
             MassRule::symmetric_tensor,
-            fmt::format(
-                "{}: a tensor of inertia is symmetric, but its entry {}{} is {:.10g} and {}{} is {:.10g} kg m^2 "
-                "(they differ by {:.4g})",
-                quoted(name), axis[i], axis[j], upper, axis[j], axis[i], lower, difference),
+            fmt::format("{}: a tensor of inertia is symmetric, but its entry {}{} is {:.10g} and {}{} is {:.10g} {} "
+                        "(they differ by {:.4g})",
+                        quoted(name), axis[i], axis[j], upper / unit.size, axis[j], axis[i], lower / unit.size,
+                        unit.text, difference / unit.size),
             difference, no_moments};
       }
     }
   }
-  return validate(MassProperties<double>{mass, center, symmetric_part(inertia_center)}, name, tolerance);
+  return validate(MassProperties<double>{mass, center, symmetric_part(inertia_center)}, name, tolerance, unit);
 }
 
 }  // namespace poinsot

@@ -204,6 +204,13 @@ bool draw_number_of_surface(Panel& panel, const scene::Dimension& dimension) {
   return true;
 }
 
+// Whether a place is where a long cord or spring is cut off: what is measured to its end is longer than it is drawn.
+bool is_cut_off(const Panel& panel, const scene::Place& place) {
+  return std::ranges::any_of(panel.scene.links, [&](const scene::Link& link) {
+    return link.far && norm(Vector(panel.ground(link.to) - panel.ground(place))) < 1e-6 * panel.scene.length;
+  });
+}
+
 }  // namespace
 
 void draw_dimensions(Panel& panel) {
@@ -211,6 +218,7 @@ void draw_dimensions(Panel& panel) {
   for (const scene::Dimension& dimension : panel.scene.dimensions) {
     if (!panel.draws(dimension.from.body) || !panel.draws(dimension.to.body)) continue;
     if (draw_number_of_surface(panel, dimension)) continue;
+    if (!dimension.angle && (is_cut_off(panel, dimension.from) || is_cut_off(panel, dimension.to))) continue;
     if (++drawn > most_dimensions) break;
     if (dimension.angle)
       draw_angle(panel, dimension);

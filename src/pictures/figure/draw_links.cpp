@@ -87,6 +87,21 @@ void end_on_ground(Panel& panel, Point2 at, Point2 other) {
   hatch(panel, at - 10 * side, at + 10 * side);
 }
 
+// Whether the end of a slide's spring or damper is that on the body along which the other one slides.
+bool is_on_carrier(const Panel& panel, const scene::Link& link, const scene::Place& end) {
+  return (link.kind == scene::LinkKind::spring || link.kind == scene::LinkKind::damper) && end.body >= 0 &&
+         std::ranges::any_of(panel.scene.symbols, [&](const scene::Symbol& symbol) {
+           return symbol.kind == scene::SymbolKind::prismatic && symbol.name == link.name && symbol.from == end.body;
+         });
+}
+
+// A plate of the body against which a spring rests: without one it would end nowhere.
+void plate_at(Panel& panel, Point2 at, Point2 other) {
+  constexpr double half = 8;
+  const Point2 across = turned_left(direction(at - other, {0, -1}));
+  panel.line({at - half * across, at + half * across}, Role::link, 2);
+}
+
 bool is_on_post(const Panel& panel, const scene::Place& end) {
   return std::ranges::any_of(panel.scene.curves, [&](const scene::Curve& curve) {
     if (curve.kind != scene::CurveKind::post) return false;
@@ -174,6 +189,7 @@ void draw_links(Panel& panel) {
     if (link.far) goes_on(panel, from, to);
     name_tension(panel, link, from, to);
     const auto end_at = [&](const scene::Place& place, Point2 at, Point2 other) {
+      if (is_on_carrier(panel, link, place)) plate_at(panel, at, other);
       if (place.body >= 0 || is_on_post(panel, place)) return;
       goes_on_from(panel, link, place) ? eyelet(panel, at) : end_on_ground(panel, at, other);
     };

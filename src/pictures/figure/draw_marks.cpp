@@ -142,27 +142,43 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
   const Box box = content(panel);
   constexpr double beside = 0.15;
   const Box near_content = box.empty() ? box : box.grown(beside * std::max(box.width(), box.height()) + corner_axis);
-  std::vector<std::pair<Vector, std::string>> drawn;
+  // Where something cut off was held, its points stay: a pin is named on both bodies that it joins.
+  const auto is_at_cut = [&](const Vector& at) {
+    const auto is_drawn = [&](int body) { return body >= 0 && panel.draws(body); };
+    return cut_free && std::ranges::any_of(panel.scene.symbols, [&](const scene::Symbol& symbol) {
+             return (is_drawn(symbol.to) || is_drawn(symbol.from)) && norm(panel.ground(symbol.place) - at) < near;
+           });
+  };
+  struct NamedPoint {
+    Vector at;
+    std::string name;
+    bool of_other = false;  // it belongs to a body that is not drawn, and is left out where it finds no room
+  };
+  std::vector<NamedPoint> drawn;
   for (const bool first : {true, false})
     for (const scene::Point& point : panel.scene.points) {
-      if (!panel.draws(point.place.body)) continue;
       const Vector at = panel.ground(point.place);
+      const bool of_other = !panel.draws(point.place.body);
+      if (of_other && !is_at_cut(at)) continue;
       if (matters(at) != first || (!first && panel.scene.points.size() > most_points)) continue;
       if (cut_free && !first && (point.place.body < 0 || !near_content.contains(panel.projection(at)))) continue;
-      const auto same = std::ranges::find_if(drawn, [&](const auto& other) { return norm(other.first - at) < near; });
-      if (same == drawn.end())
-        drawn.emplace_back(at, point.name);
-      else
-        same->second += ", " + point.name;
+      const auto same = std::ranges::find_if(drawn, [&](const auto& other) { return norm(other.at - at) < near; });
+      if (same == drawn.end()) {
+        drawn.push_back({at, point.name, of_other});
+      } else if (!of_other) {
+        same->name = same->of_other ? point.name : same->name + ", " + point.name;
+        same->of_other = false;
+      }
     }
   if (drawn.size() > 2 * most_points) drawn.resize(2 * most_points);
-  for (const auto& [at, name] : drawn) {
+  for (const auto& [at, name, of_other] : drawn) {
     const Point2 paper = panel.projection(at);
     panel.area(circle(paper, point_radius), "#1a1a1a", Role::point);
-    panel.labels.push_back({name_label(name), {{paper, {-0.5, -0.8}, 4, 0}}, 2.5, drawn.size() > most_points});
+    panel.labels.push_back(
+        {name_label(name), {{paper, {-0.5, -0.8}, 4, 0}}, 2.5, of_other || drawn.size() > most_points});
   }
   std::vector<Vector> named;
-  for (const auto& [at, name] : drawn) named.push_back(at);
+  for (const NamedPoint& point : drawn) named.push_back(point.at);
   name_centers(panel, momenta.empty() ? arrows : momenta, std::move(named));
 }
 

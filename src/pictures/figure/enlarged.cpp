@@ -54,6 +54,57 @@ void enlarge(scene::Scene& scene, int number, double factor) {
     for (scene::Place* place : {&dimension.from, &dimension.to, &dimension.corner}) grow(*place);
 }
 
+// What is fixed to the ground and a cord is led round.
+struct Post {
+  Vector center;
+  double radius = 0;
+};
+Post post_of(const scene::Curve& curve) {
+  Post post;
+  for (const Vector& point : curve.points) post.center += point / static_cast<double>(curve.points.size());
+  post.radius = norm(Vector(curve.points.front() - post.center));
+  return post;
+}
+
+bool is_clear_of_bodies(const scene::Scene& scene, const Post& post, double whole,
+                        const std::vector<scene::Pose>& poses) {
+  constexpr double beside = 2 * drawn;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const scene::Body& other = scene.bodies[k];
+    if (other.frame || (other.massless && other.shapes.empty())) continue;
+    const Vector apart = on_ground({static_cast<int>(k), other.center}, poses) - post.center;
+    if (norm(apart) - reach_of(other) < beside * whole) return false;
+  }
+  return true;
+}
+
+// With the ends of the cords that come off it.
+void enlarge(scene::Scene& scene, const Post& post, double factor) {
+  constexpr double rounding = 1e-6;
+  const auto grow = [&](Vector& at) {
+    if (norm(Vector(at - post.center)) <= (1 + rounding) * post.radius) at = post.center + factor * (at - post.center);
+  };
+  const auto grow_place = [&](scene::Place& place) {
+    if (place.body == scene::ground) grow(place.at);
+  };
+  for (scene::Curve& curve : scene.curves)
+    if (curve.kind == scene::CurveKind::post)
+      for (Vector& point : curve.points) grow(point);
+  for (scene::Link& link : scene.links)
+    for (scene::Place* end : {&link.from, &link.to}) grow_place(*end);
+  for (scene::Point& point : scene.points) grow_place(point.place);
+  for (scene::Dimension& dimension : scene.dimensions)
+    for (scene::Place* place : {&dimension.from, &dimension.to, &dimension.corner}) grow_place(*place);
+}
+
+// How the statement calls the place in its middle.
+std::string name_of(const scene::Scene& scene, const Post& post) {
+  for (const scene::Point& point : scene.points)
+    if (point.place.body == scene::ground && norm(Vector(point.place.at - post.center)) < 1e-3 * post.radius)
+      return point.name;
+  return "what the cord goes round";
+}
+
 }  // namespace
 
 std::optional<Enlarged> enlarged(const scene::Scene& scene) {
@@ -69,6 +120,14 @@ std::optional<Enlarged> enlarged(const scene::Scene& scene) {
     if (!found) found = Enlarged{scene, {}};
     enlarge(found->scene, static_cast<int>(k), drawn * whole / reach);
     found->bodies.push_back(body.name);
+  }
+  for (const scene::Curve& curve : scene.curves) {
+    if (curve.kind != scene::CurveKind::post || curve.points.empty()) continue;
+    const Post post = post_of(curve);
+    if (!(post.radius > 0) || post.radius > lost * whole || !is_clear_of_bodies(scene, post, whole, poses)) continue;
+    if (!found) found = Enlarged{scene, {}};
+    enlarge(found->scene, post, drawn * whole / post.radius);
+    found->bodies.push_back(name_of(scene, post));
   }
   return found;
 }

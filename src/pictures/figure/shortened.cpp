@@ -137,6 +137,17 @@ void for_each_crossing(const std::vector<Solid>& solids, const std::vector<scene
       for (std::size_t i = 0; solid.extent == scene::Extent::line && i + 1 < line.size(); ++i)
         cross(solid.vertices[line[i]], solid.vertices[line[i + 1]]);
   for (const scene::Link& link : links) cross(on_ground(link.from, poses), on_ground(link.to, poses));
+  if (broken.radius) cross((*broken.radius)[0], (*broken.radius)[1]);
+}
+
+// Where in the figure of a statement a frame of reference turns, as that of a curve does about its middle.
+std::optional<Vector> axis_of_frame(const scene::Scene& scene, const std::vector<scene::Pose>& poses) {
+  for (const scene::Diagram& diagram : scene.diagrams)
+    for (const scene::Arrow& arrow : diagram.arrows)
+      if (diagram.kind == scene::DiagramKind::model && arrow.quantity == scene::Quantity::angular_velocity &&
+          arrow.body >= 0 && scene.bodies[static_cast<std::size_t>(arrow.body)].frame)
+        return on_ground(arrow.at, poses);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -175,14 +186,23 @@ std::optional<Shortened> shortened(const scene::Scene& scene) {
     if (!curve.points.empty() && is_far(on_ground({curve.body, curve.points.front()}, poses)))
       for (Vector& point : curve.points) point += turned_back(curve.body, shift);
   found.scene.length = extent_of(places_of(found.scene, all_bodies(found.scene), poses, {}, true));
-  // What nothing joins, as a satellite on its orbit, is not drawn beside what it goes round.
   bool joined = false;
   for_each_crossing(solids_of(found.scene, all_bodies(found.scene), poses), found.scene.links, poses, found,
                     [&](const Vector&, const Vector&, double) { joined = true; });
-  return joined ? std::optional(std::move(found)) : std::nullopt;
+  if (joined) return found;
+  // A satellite on its orbit is not drawn beside what it goes round, even in a frame that turns.
+  const std::optional<Vector> axis = axis_of_frame(found.scene, poses);
+  if (!axis || std::ranges::find(scene.curves, scene::CurveKind::attractor, &scene::Curve::kind) != scene.curves.end())
+    return std::nullopt;
+  const bool axis_far = dot(*axis - found.middle, found.along) > 0;
+  found.radius = {*axis, axis_far ? near.at : Vector(far.at + shift)};
+  return found;
 }
 
 void draw_breaks(Panel& panel, const Shortened& broken) {
+  if (broken.radius)
+    panel.line({panel.projection((*broken.radius)[0]), panel.projection((*broken.radius)[1])}, Role::hidden, 0.7,
+               Ink::grey, Dash::chain);
   // A gap between two strokes that lean.
   for_each_crossing(
       panel.solids, panel.links, panel.poses, broken, [&](const Vector& from, const Vector& to, double part) {

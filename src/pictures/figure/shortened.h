@@ -2,6 +2,7 @@
 // middle of a wide curve. As draughtsmen do, the way is drawn broken, and shorter than it is.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +17,14 @@ struct Shortened {
   std::vector<std::string> bodies;  // those that are drawn nearer than they are
   // The plane across the way that is left, in its middle: what crosses it is broken there.
   Vector middle, along;
+  // Where nothing but a frame that turns joins the parts, from its axis in one to the middle of the other.
+  std::optional<std::array<Vector, 2>> radius{};
 };
 // The scene with its two parts near each other, if nothing lies between them and the way is many times what each of
-// them takes. Nothing if it has no such parts, or a shape of a body runs from one to the other.
+// them takes. Nothing if it has no such parts, or nothing goes from one to the other that can be broken.
 std::optional<Shortened> shortened(const scene::Scene& scene);
 
-// Marks of what is broken: arms of bodies, cords and springs.
+// Marks of what is broken: arms of bodies, cords and springs, the radius on which a frame carries.
 void draw_breaks(Panel& panel, const Shortened& broken);
 
 }  // namespace poinsot::pictures

@@ -2,36 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "pictures/drawing/markup.h"
 #include "pictures/page/bundle.h"
 #include "poinsot/pictures.h"
 
 namespace poinsot::pictures {
-
-std::string escaped_html(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
 
 std::string embedded_json(std::string json) {
   // In JSON the sign stands in texts alone.
@@ -62,18 +37,18 @@ std::string page_html(const PageParts& parts, const std::string& shared) {
   html += fmt::format("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", policy(!shared.empty()));
   html +=
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n";
-  html += fmt::format("<title>{}</title>\n", escaped_html(parts.title));
+  html += fmt::format("<title>{}</title>\n", escaped_markup(parts.title));
   if (shared.empty())
     html.append("<style>").append(page_style).append("</style>\n");
   else
-    html += fmt::format("<link rel=\"stylesheet\" href=\"{}page.css\">\n", escaped_html(shared));
-  html += fmt::format("</head>\n<body>\n<noscript><pre>{}</pre></noscript>\n", escaped_html(parts.fallback));
+    html += fmt::format("<link rel=\"stylesheet\" href=\"{}page.css\">\n", escaped_markup(shared));
+  html += fmt::format("</head>\n<body>\n<noscript><pre>{}</pre></noscript>\n", escaped_markup(parts.fallback));
   html += fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", parts.data_id,
                       embedded_json(parts.data));
   if (shared.empty())
     html.append("<script>").append(page_script).append("</script>\n");
   else
-    html += fmt::format("<script src=\"{}page.js\"></script>\n", escaped_html(shared));
+    html += fmt::format("<script src=\"{}page.js\"></script>\n", escaped_markup(shared));
   return html + "</body>\n</html>\n";
 }
 

@@ -1,13 +1,9 @@
-// Text in HTML, and the frame of every page.
+// The frame of every page, and data in it.
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace poinsot::pictures {
-
-// The text such that HTML shows it as it is.
-std::string escaped_html(std::string_view text);
 
 // JSON such that no text in it ends the element that holds it.
 std::string embedded_json(std::string json);

@@ -322,6 +322,13 @@ std::vector<std::array<Vector, 2>> skeleton_of(const scene::Scene& scene, int bo
     Vector foot{};
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (joined[i]) continue;
+      // Where the first two are too near each other for an arm there is none yet.
+      const double to_first = norm(places[first[0]] - places[i]);
+      if (arms.empty() && to_first < least) {
+        least = to_first;
+        next = i;
+        foot = places[first[0]];
+      }
       for (const auto& arm : arms)
         if (const Vector p = nearest_on(arm, places[i]); norm(p - places[i]) < least) {
           least = norm(p - places[i]);

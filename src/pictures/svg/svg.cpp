@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pictures/drawing/label_text.h"
+#include "pictures/drawing/markup.h"
 #include "pictures/figure/panel.h"
 #include "pictures/svg/smooth_path.h"
 
@@ -15,28 +16,7 @@ namespace {
 // Liberation Serif, of which the widths are known, and those that have the same.
 constexpr std::string_view fonts = "'Liberation Serif','Times New Roman',Times,'Nimbus Roman',serif";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : clean(text)) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+std::string escaped(std::string_view text) { return escaped_markup(clean(text)); }
 
 std::string number(double value) { return path_number(value); }
 

@@ -407,6 +407,15 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
   const bool asks_frequencies = asks_function(statement, "frequencies");
   const bool asks_modes = asks_function(statement, "modes") || asks_function(statement, "eigenvalues");
   const bool asks_response = asks_function(statement, "response");
+  const auto misfit = result.checks.find(stability_check);
+  const bool unconfirmed = misfit != result.checks.end() && misfit->second > solve::spectrum_tolerance;
+  // Where nobody asks for it, what fails to confirm it is no check of the answers.
+  if (unconfirmed && std::ranges::none_of(statement.asks, looks_near_steady)) {
+    result.checks.erase(misfit);
+    result.notes.push_back(
+        "whether the steady motion is stable is not told: the motion of its bodies, each by itself, does not confirm "
+        "it");
+  }
   for (const auto& [home, instant] : sample.instants()) {
     const Situation& situation = statement.situations[home.situation];
     if (instant->rough_blow() && !home.time)
@@ -419,8 +428,7 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
     note_circles_of_contact(situation, result);
     if (asks_function(statement, "potential_energy")) note_zero_of_energy(*instant, situation, result);
     // Nothing is said of what a check refuses.
-    const auto misfit = result.checks.find(stability_check);
-    if (result.refused || (misfit != result.checks.end() && misfit->second > solve::spectrum_tolerance)) continue;
+    if (result.refused || unconfirmed) continue;
     // Of rest that is asked for frequencies only, it is said if the motion does not stay near it.
     if (!situation.steady && !asks_frequencies && !asks_modes && !asks_response) continue;
     try {

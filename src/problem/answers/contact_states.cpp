@@ -12,6 +12,7 @@
 #include "problem/answers/idle_contacts.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/answers/untold_states.h"
+#include "problem/formulas/formula_task.h"
 #include "problem/instant/blow_as_loads.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
@@ -19,10 +20,9 @@
 #include "problem/language/expression.h"
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/limits/limit_in_letters.h"
 #include "problem/quantities/quantity_functions.h"
-#include "problem/unknowns/extremum.h"
 #include "problem/unknowns/sample.h"
-#include "problem/unknowns/states_at_end.h"
 
 namespace poinsot::problem {
 namespace {
@@ -181,6 +181,7 @@ class ContactStates {
       Settings settings = settings_;
       const std::vector<Value<double>> drawn = draws_.values(draw, spread_of_state_draw(draw));
       for (std::size_t k = 0; k < drawn.size(); ++k) settings[draws_.letters()[k].name] = drawn[k];
+      if (!is_assumed(statement_, AllSettings(statement_.situations.size(), settings))) continue;
       HeldStates held;
       try {
         held = states_that_hold(situation, i, settings, true);
@@ -372,29 +373,67 @@ States states_of_limits(const Statement& statement, const Settings& settings) {
   return states;
 }
 
-// Refuses limits that are sought with others than all contacts at rest where that is not done.
-void refuse_open_limits(const Statement& limits, const Settings& settings) {
-  for (const Ask& ask : limits.asks) {
-    const Situation& situation = limits.situations[situation_of(limits, ask)];
-    const std::vector<Letter> open = open_letters(limits, settings);
-    const bool in_letters =
-        std::ranges::any_of(open, [&](const Letter& letter) { return letter.name != ask.extremum->name; });
-    // A law would be one of the case that the drawn letters meet, without a word of the other.
-    if (in_letters && leaves_touching_open(situation, *ask.extremum))
-      fail(limits.file, ask.mark,
-           "whether all contacts touch up to this limit is sought by numbers, and '" + open.front().name +
-               "' has no value",
-           "give it and the other letters values under given:");
-    if (!leaves_states_open(situation, *ask.extremum)) continue;
-    std::string names;
-    for (const Contact& contact : situation.contacts)
-      if (contact.rubs()) names += (names.empty() ? "sticking(" : ", sticking(") + contact.name + ")";
-    const auto refuse = [&](const std::string& why) {
-      fail(limits.file, ask.mark, "what the other contacts do up to this limit is sought " + why,
-           "write while: [" + names + "] if all of them stay at rest");
-    };
-    if (in_letters) refuse("by numbers, and '" + open.front().name + "' has no value");
+// With values for all letters, drawn one time after the other.
+std::vector<Settings> settings_of_draws(const Statement& statement, const Settings& settings) {
+  const LetterDraws draws(statement, settings);
+  std::vector<Settings> all;
+  for (int draw = 0; draw < most_state_draws; ++draw) {
+    const std::vector<Value<double>> drawn = draws.values(draw, spread_of_state_draw(draw));
+    all.push_back(settings);
+    for (std::size_t k = 0; k < drawn.size(); ++k) all.back()[draws.letters()[k].name] = drawn[k];
   }
+  return all;
+}
+
+// Puts more answers among those of a solution. places: of each of them among all, ascending.
+void insert_answers(Solution& solution, const std::vector<std::size_t>& places, const Solution& more) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    for (FormulaCondition& ground : solution.grounds)
+      for (std::size_t& ask : ground.asks) ask += ask >= places[k] ? 1 : 0;
+    solution.asks.insert(solution.asks.begin() + static_cast<std::ptrdiff_t>(places[k]), more.asks[k]);
+  }
+  for (FormulaCondition ground : more.grounds) {
+    for (std::size_t& ask : ground.asks) ask = places.at(ask);
+    solution.grounds.push_back(std::move(ground));
+  }
+  for (const std::string& words : more.assumptions) add_once(solution.assumptions, words);
+  solution.notes.insert(solution.notes.end(), more.notes.begin(), more.notes.end());
+  for (const auto& [name, value] : more.checks) {
+    double& check = solution.checks[name];
+    check = std::max(check, value);
+  }
+}
+
+// Up to which value contacts stick or touch is sought by itself, whatever they do at the values stated: in letters
+// where others than what is varied have no value.
+SolvedStatement solve_limits(const Statement& limits, const Settings& settings, const FormulaValues& exact,
+                             const std::function<SolvedStatement(const Statement&)>& solve) {
+  const std::vector<Letter> open = open_letters(limits, settings);
+  const auto in_letters = [&](const Ask& ask) {
+    return std::ranges::any_of(open, [&](const Letter& letter) { return letter.name != ask.extremum->name; });
+  };
+  const States sticking = states_of_limits(limits, settings);
+  Statement by_numbers = limits;
+  std::erase_if(by_numbers.asks, in_letters);
+  SolvedStatement found;
+  found.open_letters = open;
+  if (by_numbers.asks.empty())
+    found.solutions.emplace_back();
+  else
+    found = solve(in_contact_states(by_numbers, sticking));
+  for (Solution& solution : found.solutions) {
+    solution.contact_states = sticking;
+    // What is said there of the letter that is varied is said of a value that it was given on the way.
+    solution.assumptions.clear();
+    solution.grounds.clear();
+  }
+  const std::vector<Settings> draws = settings_of_draws(limits, settings);
+  for (std::size_t i = 0; i < limits.asks.size(); ++i) {
+    if (!in_letters(limits.asks[i])) continue;
+    const Solution limit = limit_in_letters(limits, limits.asks[i], open, draws, exact);
+    for (Solution& solution : found.solutions) insert_answers(solution, {i}, limit);
+  }
+  return found;
 }
 
 }  // namespace
@@ -420,32 +459,20 @@ std::vector<Settings> settings_of_root(const Statement& statement, const Setting
   return all;
 }
 
-SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings,
+SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings, const FormulaValues& exact,
                                      const std::function<SolvedStatement(const Statement&)>& solve) {
   refuse_beside_friction(statement, settings);
-  // Up to which value contacts stick or touch is sought by itself, whatever they do at the values stated.
   Statement limits = statement, others = statement;
   std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_states(ask); });
   std::erase_if(others.asks, is_limit_of_states);
   if (limits.asks.empty()) return ContactStates(statement, settings, solve).solve();
-  const States sticking = states_of_limits(limits, settings);
-  const Statement at_rest = in_contact_states(limits, sticking);
-  refuse_open_limits(at_rest, settings);
-  SolvedStatement found = solve(at_rest);
-  for (Solution& solution : found.solutions) solution.contact_states = sticking;
+  SolvedStatement found = solve_limits(limits, settings, exact, solve);
   if (others.asks.empty() || found.solutions.empty()) return found;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < statement.asks.size(); ++i)
+    if (is_limit_of_states(statement.asks[i])) places.push_back(i);
   SolvedStatement result = ContactStates(others, settings, solve).solve();
-  const Solution& of_limits = found.solutions.front();
-  for (Solution& solution : result.solutions) {
-    for (std::size_t i = 0, next = 0; i < statement.asks.size(); ++i)
-      if (is_limit_of_states(statement.asks[i]))
-        solution.asks.insert(solution.asks.begin() + static_cast<std::ptrdiff_t>(i), of_limits.asks[next++]);
-    solution.notes.insert(solution.notes.end(), of_limits.notes.begin(), of_limits.notes.end());
-    for (const auto& [name, value] : of_limits.checks) {
-      double& check = solution.checks[name];
-      check = std::max(check, value);
-    }
-  }
+  for (Solution& solution : result.solutions) insert_answers(solution, places, found.solutions.front());
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "problem/formulas/formula_instant.h"
 #include "problem/machine/data.h"
 #include "problem/results/solution.h"
 
@@ -27,9 +28,9 @@ Statement in_contact_states(const Statement& statement, const std::vector<Contac
 // The settings of each situation with the unknowns of a root.
 std::vector<Settings> settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution);
 
-// Solves a statement in all states that hold, each by `solve`. Throws StatementError where none does, and for what is
-// not solved with friction.
-SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings,
+// Solves a statement in all states that hold, each by `solve`. exact: the settings, as formulas. Throws StatementError
+// where none does, and for what is not solved with friction.
+SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings, const FormulaValues& exact,
                                      const std::function<SolvedStatement(const Statement&)>& solve);
 
 }  // namespace poinsot::problem

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "problem/course/course.h"
+#include "problem/language/diagnostic.h"
 #include "problem/results/compare_values.h"
 
 namespace poinsot::problem {
@@ -99,6 +101,23 @@ std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sa
     if (check.largest) largest = std::max(largest.value_or(0), *check.largest);
   }
   return largest;
+}
+
+void hold_later_facts(const Statement& statement, const Settings& settings) {
+  for (const Situation& situation : statement.situations) {
+    if (!has_later_facts(situation)) continue;
+    for (const FactMisfit& misfit : later_misfits(situation, settings, OpenChoice{})) {
+      // A motion is followed to about 1e-10; stated digits beyond the seventh are seldom meant.
+      constexpr double followed = 1e-7;  // of the size of the stated quantity
+      if (std::abs(misfit.value) <= followed) continue;
+      const auto later =
+          std::find_if(situation.instants.begin(), situation.instants.end(),
+                       [&](const Instant& instant) { return is_later(situation, instant) && !instant.facts.empty(); });
+      fail(situation.file, later != situation.instants.end() ? later->mark : situation.instants.front().mark,
+           "what is stated of the motion after its start does not hold: it follows from the start and the loads",
+           "correct it, or list under find: a datum that it fixes");
+    }
+  }
 }
 
 }  // namespace poinsot::problem

@@ -13,4 +13,8 @@ namespace poinsot::problem {
 // fact has no value.
 std::optional<double> largest_fact_misfit(const Statement& statement, Sample& sample);
 
+// Facts about later instants, extremes and periods follow from the others, and must be true. Throws StatementError
+// where they are not.
+void hold_later_facts(const Statement& statement, const Settings& settings);
+
 }  // namespace poinsot::problem

@@ -14,6 +14,7 @@
 #include "problem/answers/ask_values.h"
 #include "problem/answers/contact_states.h"
 #include "problem/answers/determinacy.h"
+#include "problem/answers/fact_check.h"
 #include "problem/answers/finished_ask.h"
 #include "problem/answers/friction_refusals.h"
 #include "problem/answers/letter_draws.h"
@@ -74,7 +75,7 @@ class StatementSolver {
  private:
   void add_solutions(SolvedStatement& result) {
     if (search_.unknowns().empty()) {
-      if (draws_.none()) hold_later_facts();
+      if (draws_.none()) hold_later_facts(statement_, settings_);
       result.solutions.push_back(solve_one(AllSettings(statement_.situations.size(), settings_)));
       if (!draws_.none()) add_formulas(result.solutions.back());
       return;
@@ -91,7 +92,9 @@ class StatementSolver {
     if (found.roots.empty() && refusal) throw draws_.told(*refusal, refused_alike_);
     result.warnings = found.warnings;
     if (!draws_.none() && found.roots.empty()) draws_.tell(result.warnings);
-    for (const AllSettings& root : found.roots) {
+    for (std::size_t k = 0; k < found.roots.size(); ++k) {
+      const AllSettings& root = found.roots[k];
+      if (k < at_roots_.size()) at_root_ = std::move(at_roots_[k]);
       Solution solution = solve_one(root);
       list_unknowns(root, solution);
       if (found.off_by_scan) solution.checks["roots"] = *found.off_by_scan;
@@ -202,24 +205,6 @@ class StatementSolver {
     });
   }
 
-  // Facts about later instants, extremes and periods follow from the others, and must be true.
-  void hold_later_facts() const {
-    for (const Situation& situation : statement_.situations) {
-      if (!has_later_facts(situation)) continue;
-      for (const FactMisfit& misfit : later_misfits(situation, settings_, OpenChoice{})) {
-        // A motion is followed to about 1e-10; stated digits beyond the seventh are seldom meant.
-        constexpr double followed = 1e-7;  // of the size of the stated quantity
-        if (std::abs(misfit.value) <= followed) continue;
-        const auto later = std::find_if(
-            situation.instants.begin(), situation.instants.end(),
-            [&](const Instant& instant) { return is_later(situation, instant) && !instant.facts.empty(); });
-        fail(situation.file, later != situation.instants.end() ? later->mark : situation.instants.front().mark,
-             "what is stated of the motion after its start does not hold: it follows from the start and the loads",
-             "correct it, or list under find: a datum that it fixes");
-      }
-    }
-  }
-
   void list_unknowns(const AllSettings& root, Solution& solution) const {
     for (const Unknown& unknown : search_.unknowns()) {
       if (undetermined_.contains(unknown.name)) continue;
@@ -309,17 +294,23 @@ class StatementSolver {
     }
   }
 
-  // Whether there are roots, and the statement can be solved at their letters.
+  // Whether there are roots, and the statement can be solved at their letters. The answers are kept.
   bool makes_sense(const RootsFound& found) {
+    at_roots_.clear();
     try {
       for (const AllSettings& root : found.roots) {
-        Sample sample(statement_, root, OpenChoice{});
-        ask_values(statement_, sample, root, OpenChoice{});
+        at_roots_.push_back({sample_at(root), {}});
+        at_roots_.back().values = ask_values(statement_, *at_roots_.back().sample, root, OpenChoice{});
       }
     } catch (const StatementError&) {
       return false;
     }
     return !found.roots.empty();
+  }
+  std::unique_ptr<Sample> sample_at(const AllSettings& settings) const {
+    auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
+    sample->write_down_what_is_told();
+    return sample;
   }
 
   // The asks at values of open letters that are drawn until the statement makes sense; base_ and sample_ keep the
@@ -356,11 +347,11 @@ class StatementSolver {
       const bool drawn_here = !draws_.none() && search_.unknowns().empty();
       if (drawn_here && !only && attempt < most_draws && !is_assumed(statement_, settings)) continue;
       try {
-        auto sample = std::make_unique<Sample>(statement_, settings, OpenChoice{});
-        sample->write_down_what_is_told();
+        AtRoot before = std::exchange(at_root_, {});
+        std::unique_ptr<Sample> sample = before.sample ? std::move(before.sample) : sample_at(settings);
         // Letters at which the contacts with friction are in other states say nothing of this one.
         if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
-        AskValues values;
+        AskValues values = std::move(before.values);
         try {
           while (values.values.size() < statement_.asks.size())
             add_ask_value(statement_, *sample, settings, OpenChoice{}, values);
@@ -410,6 +401,12 @@ class StatementSolver {
   bool refused_alike_ = true;  // whether all draws so far were refused for the same reason
   std::unique_ptr<Sample> sample_;
   AskValues asked_;  // the values at sample_
+  struct AtRoot {
+    std::unique_ptr<Sample> sample;
+    AskValues values;
+  };
+  std::vector<AtRoot> at_roots_;  // what was answered at each root with open letters
+  AtRoot at_root_;                // the same at the next one that is solved
   std::optional<RoundedValues> rounded_;
   std::vector<double> natural_;
   std::set<std::string> undetermined_;  // unknowns that a variation changes
@@ -452,13 +449,13 @@ SolvedStatement solve_statement(const Statement& statement,
     fail(statement.file, Mark{1, 1}, "the file asks nothing", "write ask: {a: angular_momentum(disk about G)}");
   const Settings settings = read_settings(statement, sets);
   refuse_beside_rough_blows(statement);
-  if (has_open_contact_states(statement))
-    return solve_contact_states(statement, settings,
-                                [&](const Statement& tried) { return solve_statement(tried, sets, tell_claims); });
   // Where nothing is left to letters nobody asks for formulas.
   const bool has_letters = !open_letters(statement, settings).empty();
   const FormulaValues exact =
       has_letters || !statement.claims.empty() ? exact_settings(statement, sets) : FormulaValues{};
+  if (has_open_contact_states(statement))
+    return solve_contact_states(statement, settings, exact,
+                                [&](const Statement& tried) { return solve_statement(tried, sets, tell_claims); });
   SolvedStatement solved;
   const bool only_claims =
       statement.asks.empty() && std::all_of(statement.situations.begin(), statement.situations.end(),

@@ -6,6 +6,7 @@
 
 #include "problem/answers/letter_draws.h"
 #include "problem/entries/drawn_letters.h"
+#include "problem/formulas/formula_task.h"
 #include "problem/instant/contact_state_search.h"
 #include "problem/instant/contact_state_words.h"
 #include "problem/language/diagnostic.h"
@@ -50,6 +51,7 @@ std::vector<std::string> untold_states(const Statement& statement, const Setting
     for (const Letter& letter : letters)
       drawn[letter.name] =
           Value<double>::of_number(drawn_anywhere(letter, random, draw % spreads), letter.unit.dimension);
+    if (!is_assumed(statement, AllSettings(statement.situations.size(), drawn))) continue;
     for (std::size_t i = 0; i < statement.situations.size(); ++i) {
       const Situation& situation = statement.situations[i];
       if (!situation.has_friction()) continue;

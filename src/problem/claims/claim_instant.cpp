@@ -76,7 +76,7 @@ void Decisions::add(const Decisions& other) {
 ClaimFormulas::ClaimFormulas(const Situation& situation, const FormulaValues& values, const Settings& settings,
                              const SolvedInstant& numbers, bool all_poses)
     : situation_(situation), values_(values), settings_(settings), numbers_(numbers) {
-  open_.all_poses = all_poses;
+  open_.all_poses = open_.all_places = all_poses;
   instant_ = with_decisions(decisions_, [&] {
     auto instant = std::make_unique<FormulaInstant>(situation, values, numbers, &open_);
     if (states_forces(situation)) instant->solve_forces();

@@ -186,7 +186,7 @@ class ClaimSolver {
       return Outcome::decided;
     }
     if (verdict.holds) return Outcome::holds;
-    refute(drawn.point, verdict);
+    refute_simply(drawn.point, verdict);
     return Outcome::decided;
   }
 
@@ -263,10 +263,14 @@ class ClaimSolver {
       return undetermined("wherever it fails, it fails by less than the numbers there can confirm");
     if (!possible) {
       const ClaimFaults& faults = ground_.faults();
-      undetermined((claim_.assume.empty() && situation_.assume.empty()
-                        ? "no values of the letters were found for which the statement makes sense"
-                        : "no values of the letters were found that satisfy what is assumed") +
-                   (faults.empty() ? "" : ": " + faults.words(ground_.letters())));
+      const bool assuming = !claim_.assume.empty() || !situation_.assume.empty();
+      undetermined(
+          (!assuming ? "no values of the letters were found for which the statement makes sense"
+           : all_letters().empty()
+               ? "what it assumes does not hold at the values that all letters have (leave letters open, or change "
+                 "their values)"
+               : "no values of the letters were found that satisfy what is assumed") +
+          (faults.empty() ? "" : ": " + faults.words(ground_.letters())));
       return;
     }
     result_.holds = true;
@@ -294,6 +298,20 @@ class ClaimSolver {
           proves_steady_stability(claim_, ground_, trials.most_modes, tell_ ? &result_.stability : nullptr);
   }
 
+  static bool is_turn_of_body(const Letter& open) { return open.unit.dimension == dimensions::none; }
+
+  // What fails with the bodies turned as they are drawn as well is refuted there, where their turns need no numbers.
+  void refute_simply(const Point& point, const Verdict& verdict) {
+    Point as_drawn = point;
+    for (const Letter& open : formulas_->open())
+      if (is_turn_of_body(open)) as_drawn[open.name] = 0;
+    if (as_drawn == point || takes_derivatives(situation_, claim_) || ground_.neglects()) return refute(point, verdict);
+    const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), as_drawn);
+    as_drawn_ = numbers && !numbers->holds && !numbers->close;
+    if (as_drawn_) return refute(as_drawn, *numbers);
+    refute(point, verdict);
+  }
+
   void refute(const Point& point, const Verdict& verdict) {
     result_.holds = false;
     std::set<std::string> used;
@@ -308,7 +326,7 @@ class ClaimSolver {
       const bool declared = std::any_of(own.begin(), own.end(), [&](const Letter& known) {
         return known.name == letter.name && is_name(known.name);
       });
-      if (!declared && formulas_ && !used.contains(letter.name)) continue;
+      if (!declared && formulas_ && (!used.contains(letter.name) || (as_drawn_ && is_turn_of_body(letter)))) continue;
       const auto value = point.find(letter.name);
       if (value != point.end()) result_.counterexample.push_back({letter.name, letter.unit, value->second});
     }
@@ -384,6 +402,7 @@ class ClaimSolver {
   };
   std::vector<DecidedSign> decided_;
   bool proved_ = false;
+  bool as_drawn_ = false;  // whether it is refuted with all bodies turned as they are drawn
   SolvedClaim result_;
 };
 

@@ -58,7 +58,10 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
                                 contact.name + "' sticks or slides at the start is not known here",
                             "list what is wanted under ask:");
   }
-  start_ = std::make_unique<SolvedInstant>(situation, settings, When{0, situation.has_blow()}, choice);
+  const When begins{0, situation.has_blow()};
+  start_ = std::make_unique<SolvedInstant>(situation, settings, begins, choice_);
+  if (!start_->scales().has_length && !choice_.scales && (choice_.scales = own_scales(begins)))
+    start_ = std::make_unique<SolvedInstant>(situation, settings, begins, choice_);
   std::vector<std::vector<double>> open = start_->velocities().open;
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
   const auto flies = [&](const std::vector<double>& direction) { return carries_along(start_->machine(), direction); };
@@ -79,7 +82,10 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   stages_.resize(std::max<std::size_t>(1, situation.stages.size()));
   StageRun& first = stages_.front();
   MotionState state = start_->state();
-  if (!choice.velocities) remove_components(moving_nothing, state.v);
+  // Turning that moves no mass is zero. Where it is varied, to see what depends on it, it is slower than what moves, or
+  // the steps would go with its turns however long the motion lasts.
+  constexpr double slow = 1e-3;
+  reduce_components(moving_nothing, state.v, choice.velocities ? slow : 0);
   if (start_->after_blow()) state.acting = start_->blow_acting();
   has_later_contacts_ = std::ranges::any_of(situation_.contacts, &Contact::strikes_later);
   for (const Contact& contact : situation_.contacts) {
@@ -99,7 +105,7 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     state.acting[i] = false;
     has_later_contacts_ = true;
   }
-  if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice);
+  if (changed_) start_ = std::make_unique<SolvedInstant>(situation_, settings, state, choice_);
   if (!state.acting.empty()) state.acting.resize(start_->machine().mechanism.actions.size());
   // An unstable equilibrium is left by a small push at the stated coordinate.
   for (const Instant& instant : situation.instants)
@@ -136,6 +142,24 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
     find_contact_states(0, 0, "");
     first.states_fresh = true;
   }
+}
+
+// Particles in one place have no length of their own. What is fast and hardly pushed changes on a way of many metres;
+// what rubs and slows down comes to rest on its own way, however short that is.
+std::optional<solve::Scales> Course::own_scales(const When& begins) const {
+  SolvedInstant pushed(situation_, settings_, begins, choice_);
+  try {
+    pushed.solve_forces();
+  } catch (const StatementError&) {
+    return std::nullopt;  // it is told where the motion is followed
+  }
+  solve::Scales scales = pushed.scales();
+  const std::optional<SolvedInstant::WayOfChange> way = pushed.way_of_change();
+  // Within a thousandfold the metre serves as well, also where what slows down in air goes on for long.
+  constexpr double serves = 1e3;
+  if (!way || (way->length <= serves * scales.length && !(way->slows && situation_.has_friction()))) return std::nullopt;
+  scales.length = way->length;
+  return scales;
 }
 
 // If the motion starts from rest, loads determine how fast it changes.
@@ -378,6 +402,7 @@ void Course::continue_from(const MotionCheckpoint& checkpoint) {
   now.v = state.v;
   begin(state.stage);
   now.time = state.time;
+  to_balance_.clear();
   energy_drift_.reset();
   blow_misfit_.reset();
   rough_blow_misfit_.reset();

@@ -171,8 +171,9 @@ class Course : public FollowedMotion {
     std::unique_ptr<SolvedInstant> instant;
   };
   StruckAgain strike_again(const LaterBlow& blow) const;
-  // The drift of the energy relative to its size, if the energy is conserved.
-  std::optional<double> energy_drift() const { return energy_drift_; }
+  // The drift of the energy relative to its size, if the energy is conserved; or how far it is from the work of what
+  // feeds and drains it.
+  std::optional<double> energy_drift();
   // How far the blows along the motion are from momenta of particles and from their restitution, and those with
   // friction from a second road; nothing if there were none.
   std::optional<double> blow_misfit() const { return blow_misfit_; }
@@ -239,7 +240,8 @@ class Course : public FollowedMotion {
   void begin(std::size_t stage);
   void run(std::size_t stage, double until);
   Driving::Span smooth_span(std::size_t stage, double until);
-  void keep(std::size_t stage, Piece& piece, IntegrationResult& result);
+  void keep(std::size_t stage, const std::shared_ptr<Piece>& kept, IntegrationResult& result);
+  void balance_energy();
   void refuse_slack(std::size_t stage, std::size_t action, const Piece& piece);
   void change_holds(std::size_t stage, std::size_t action, Piece& piece);
   // Contacts that meet later (later_blows.cpp).
@@ -279,6 +281,7 @@ class Course : public FollowedMotion {
   [[noreturn]] void slips(std::size_t stage, std::size_t action);
   [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
   [[noreturn]] void throw_slip(const StageRun& run) const;
+  std::optional<solve::Scales> own_scales(const When& begins) const;
   void set_pace(const MotionState& state);
   void follow_less_closely(Course& coarse) const;
   void tell_how(const ExtremeFound& found, const Call& call);
@@ -316,6 +319,14 @@ class Course : public FollowedMotion {
   std::vector<std::string> happenings_;
   std::vector<Change> changes_;
   std::optional<double> energy_drift_;
+  // A piece whose energy was not yet balanced. That takes longer than to follow it, and of most motions, which are
+  // tried at other values, nobody asks.
+  struct ToBalance {
+    std::shared_ptr<Piece> piece;
+    std::size_t stage = 0, place = 0;  // among the pieces of the stage
+    double kinetic = 0;                // the largest before, J
+  };
+  std::vector<ToBalance> to_balance_;
   bool has_later_contacts_ = false, open_checked_ = false;
   std::optional<double> rests_from_;   // since when friction holds all that could move in the last stage, s
   std::vector<BlowsOfAction> struck_;  // of each action of the mechanism

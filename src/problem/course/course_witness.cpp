@@ -211,6 +211,16 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
     if (found.size() > most_driven) found.resize(most_driven);
     return found;
   }() : std::vector<SmoothPart>();
+  // Where a motion comes to the end of what is known of it, as where an end of a cord comes to its wheel, its steps
+  // shrink: the check of an instant, which takes its differences at the pace of the whole, reaches beyond that place
+  // from there.
+  const auto shrinks = [&](const SmoothPart& part) {
+    constexpr double too_short = 1e-2;  // of the longest step before
+    const Trajectory* piece = piece_at(part.from);
+    for (std::size_t i = 0; piece && i < piece->step_count() && piece->step(i).start < part.from; ++i)
+      if (part.step < too_short * (piece->step(i).end - piece->step(i).start)) return true;
+    return false;
+  };
   std::size_t held = 0;
   for (const std::size_t k : spread_order(parts.size())) {
     const SmoothPart& part = parts[k];
@@ -220,7 +230,7 @@ std::optional<MotionDoubt> Course::course_misfit(const std::function<void(const 
     const double middle = part.from + 0.5 * (part.to - part.from);
     if (!witnessed(middle)) continue;
     keep(contact_doubt(middle));
-    look(*probe_);
+    if (!shrinks(part)) look(*probe_);
   }
   // Where velocities jump, something that did not act before touches or is stretched, by the geometry of the bodies.
   const auto catch_doubt = [&] {

@@ -26,7 +26,7 @@ double opening_acceleration(MechanismDynamics& dynamics, std::size_t constraint,
 }
 
 bool would_press_in(MechanismDynamics& dynamics, std::size_t action, std::span<const double> q,
-                    std::span<const double> v, double pace_time) {
+                    std::span<const double> v, double length, double pace_time) {
   const Mechanism<double>& mechanism = dynamics.mechanism();
   const auto normal = std::ranges::find_if(mechanism.constraints, [&](const VelocityConstraint<double>& constraint) {
     return constraint.action == static_cast<int>(action) && constraint.normal;
@@ -36,7 +36,7 @@ bool would_press_in(MechanismDynamics& dynamics, std::size_t action, std::span<c
   const double opening =
       opening_acceleration(dynamics, static_cast<std::size_t>(normal - mechanism.constraints.begin()), q, v, pace_time);
   constexpr double opens = 1e-6;  // a hundred times the error
-  return opening < -opens * dynamics.natural_length() / (pace_time * pace_time);
+  return opening < -opens * length / (pace_time * pace_time);
 }
 
 }  // namespace poinsot::problem

@@ -108,13 +108,19 @@ class Course::Piece {
   void check_open();
 
   bool would_press_in(std::size_t action) {
-    return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.pace_time_);
+    return problem::would_press_in(*dynamics_, action, now_.q, now_.v, motion_.start_->scales().length,
+                                   motion_.pace_time_);
   }
   // The contacts with friction that touch (flying_contacts.cpp).
   std::vector<std::size_t> rubbing() const;
   // Looked for at some steps of the way, its ends among them.
   double largest_kinetic_energy(const Trajectory& way);
   std::vector<bool>& acting() { return acting_; }
+  // What acts, as it did on the way, whatever has changed behind it.
+  void let_act(const std::vector<bool>& acting) {
+    acting_ = acting;
+    set_given_motion();
+  }
   const Machine& machine() const { return machine_; }
 
  private:

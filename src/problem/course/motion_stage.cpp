@@ -76,6 +76,7 @@ void Course::run(std::size_t stage, double until) {
       !now.pieces.back().empty()) {
     const double begun = now.pieces.back().start_time();
     if (target - begun >= 2 * (now.time - begun)) {
+      balance_energy();
       const State<double> first = now.pieces.back().state(begun);
       now.q = first.q;
       now.v = first.v;
@@ -101,7 +102,8 @@ void Course::run(std::size_t stage, double until) {
     if (timed_ && rubs(now) && !now.states_fresh)
       find_contact_states(stage, now.time + 1e-12 * (smooth.end - smooth.begin), "");
     const bool fresh = std::exchange(now.states_fresh, false);
-    Piece piece(*this, stage, smooth);
+    const auto kept = std::make_shared<Piece>(*this, stage, smooth);
+    Piece& piece = *kept;
     if (!fresh && piece.rubs() && now.time > now.start && piece.slip_has_ended()) {
       find_contact_states(stage, now.time, "");
       continue;
@@ -186,7 +188,7 @@ void Course::run(std::size_t stage, double until) {
     piece.check_sides(&result.trajectory);
     piece.check_winding(result.trajectory);
     piece.check_nearness(result.trajectory);
-    keep(stage, piece, result);
+    keep(stage, kept, result);
     if (const std::optional<Piece::GivingWay> now_beyond = std::exchange(giving_way, std::nullopt);
         now_beyond && result.ending != Ending::terminal_event) {
       piece.let_shares_give_way(*now_beyond);
@@ -238,7 +240,8 @@ void Course::run(std::size_t stage, double until) {
 
 // Adds what an integration has reached to the stage, and takes the trajectory out of it. Throws UnansweredError if it
 // did not reach its end.
-void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
+void Course::keep(std::size_t stage, const std::shared_ptr<Piece>& kept, IntegrationResult& result) {
+  Piece& piece = *kept;
   methods_.insert(result.method);
   in_closed_form_ = in_closed_form_ && result.closed_form;
   // Sine of the angle between the two lines. A motion whose steps have become too short for rounding is as near as that
@@ -283,11 +286,10 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
       const double size = std::max(std::abs(result.drift[0].start), largest_kinetic_);
       energy_drift_ = std::max(energy_drift_.value_or(0), size > 0 ? result.drift[0].largest / size : 0);
     }
-    if (balanced)
-      if (const std::optional<double> misfit =
-              energy_misfit(mechanism, result.trajectory, before,
-                            [&](const State<double>& state) { return piece.rubbing_power(state); }))
-        energy_drift_ = std::max(energy_drift_.value_or(0), *misfit);
+    // Many short pieces are balanced as they come: each keeps a machine.
+    constexpr std::size_t most_waiting = 32;
+    if (balanced && to_balance_.size() >= most_waiting) balance_energy();
+    if (balanced) to_balance_.push_back({kept, stage, stages_[stage].pieces.size(), before});
   }
   StageRun& now = stages_[stage];
   now.pieces.push_back(std::move(result.trajectory));
@@ -297,6 +299,22 @@ void Course::keep(std::size_t stage, Piece& piece, IntegrationResult& result) {
   now.v = result.v;
   now.time = result.time;
   now.flight = 0;
+}
+
+std::optional<double> Course::energy_drift() {
+  balance_energy();
+  return energy_drift_;
+}
+
+void Course::balance_energy() {
+  const WorkCounted counted(*this);
+  for (const ToBalance& one : std::exchange(to_balance_, {})) {
+    one.piece->let_act(stages_[one.stage].acting[one.place]);
+    if (const std::optional<double> misfit =
+            energy_misfit(one.piece->machine().mechanism, stages_[one.stage].pieces[one.place], one.kinetic,
+                          [&](const State<double>& state) { return one.piece->rubbing_power(state); }))
+      energy_drift_ = std::max(energy_drift_.value_or(0), *misfit);
+  }
 }
 
 // A cord that has gone slack slips over the wheels that it turned, and one that winds on a wheel is of no one length

@@ -87,6 +87,19 @@ std::array<std::string, 3> read_axes(const Entry& axes, const std::string& file)
   return names;
 }
 
+// A unit alone, that of a vector, or that of a number of either sign.
+void read_unit_of(Unknown& unknown, const Entry& entry, const std::string& file) {
+  const bool map = entry.kind == Entry::Kind::map;
+  unknown.either_sign = map && entry.find("signed");
+  unknown.vector = map && !unknown.either_sign;
+  const Entry& unit = !map ? entry
+                           : Members(entry, file, {"unknown"})
+                                 .require(unknown.either_sign ? "signed" : "vector", "vector: N*m, or signed: s");
+  if (map && entry.find("vector") && unknown.either_sign)
+    fail(file, entry.mark, "the components of a vector have either sign", "write {vector: N*m} alone");
+  if (!(unit.kind == Entry::Kind::scalar && unit.text == "1")) unknown.unit = read_unit(unit, file);
+}
+
 Situation read_one(const Entry& stated, const std::string& file) {
   Situation situation;
   situation.file = file;
@@ -104,9 +117,7 @@ Situation read_one(const Entry& stated, const std::string& file) {
     Unknown unknown;
     unknown.name = name.text;
     unknown.mark = name.mark;
-    unknown.vector = unit.kind == Entry::Kind::map;
-    const Entry& text = unknown.vector ? Members(unit, file, {"unknown"}).require("vector", "vector: N*m") : unit;
-    if (!(text.kind == Entry::Kind::scalar && text.text == "1")) unknown.unit = read_unit(text, file);
+    read_unit_of(unknown, unit, file);
     situation.find.push_back(std::move(unknown));
   }
   for (const auto& [name, entry] : named(members, "choose", file))

@@ -64,6 +64,9 @@ void check_stated_names(const Situation& situation) {
   }
   for (const Cord& cord : situation.cords) {
     holder(cord.from, cord.from_mark);
+    if (cord.to == "ground")
+      fail(situation.file, cord.to_mark, "cord '" + cord.name + "' ends on the ground, where a cord begins",
+           "turn it round: from: ground, at: the point there, over: the other way, to: and end: of the body");
     body(cord.to, cord.to_mark);
     if (!cord.is_led()) not_itself("cord '" + cord.name + "'", cord.to, cord.from, cord.mark);
     std::vector<std::string> leads = holders;

@@ -28,6 +28,7 @@ struct Unknown {
   std::string name;
   Unit unit;
   bool vector = false;
+  bool either_sign = false;  // whether it was stated as signed: nature lets it be negative, too
   Mark mark;
 };
 

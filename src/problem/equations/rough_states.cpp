@@ -29,10 +29,6 @@ void refuse_forces_of_their_own(const Situation& situation) {
     if (contact.on_cord)
       throw NoEquations(contact.words() +
                         " has friction: how its tension grows round what it slips on has no place in these equations");
-    if (contact.all_ways && contact.grip == Grip::slides)
-      throw NoEquations(contact.words() +
-                        " has friction against its slip in all its ways together, which no linear equations tell: "
-                        "state one for each of its freedoms");
     if (contact.friction->bearing && contact.grip == Grip::slides)
       throw NoEquations(contact.words() +
                         " has friction that follows from the size of what it carries, which no linear equations tell: "
@@ -77,7 +73,12 @@ SituationInStates in_stated_states(const Statement& statement, const Situation& 
   for (ContactState& state : all.front()) {
     const bool presses = !state.in_joint && state.grip != Grip::parts;
     state.from_rest = false;
-    found.words.push_back("while " + words_of(state, situation, settings) + (presses ? " and presses" : ""));
+    // Its friction turns with its slip, whichever way that is.
+    const bool any_way = state.sought && state.grip == Grip::slides;
+    found.words.push_back(
+        "while " +
+        (any_way ? "joint '" + state.contact + "' moves against its friction" : words_of(state, situation, settings)) +
+        (presses ? " and presses" : ""));
   }
   return found;
 }

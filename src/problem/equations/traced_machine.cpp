@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -184,8 +185,10 @@ void check_actions(Mechanism<Formula>& mechanism, const Situation& situation) {
                         "equations");
   for (VelocityConstraint<Formula>& c : mechanism.constraints) {
     if (c.shape_unknown)
-      throw NoEquations("how the point of contact moves is not known (" + c.words +
-                        "): state the surface as a shape that it can roll on");
+      throw NoEquations("how the point of contact moves has no formula (" + c.words +
+                        "): it has one for a plane with any shape, for a sphere or particle with any but an ellipsoid, "
+                        "and for cylinders, cones and rods that cross; a body given by numbers needs its surface as a "
+                        "massless part under added:");
     // A contact of a steady motion is treated as one of any motion.
     c.carried_by.reset();
     c.carried_along.reset();
@@ -235,6 +238,40 @@ std::vector<int> find_rubbing(const MachineOf<Formula>& machine) {
     rubbing.push_back(slides ? static_cast<int>(component - machine.mechanism.components.begin()) : -1);
   }
   return rubbing;
+}
+
+// Whether a joint moves against a couple or force F of friction in all its ways together: F against its whole slip,
+//   s = sqrt(sum (r_k v_k)^2),   and on each coordinate   -F r_k^2 v_k / s.
+bool slips_in_all_ways(const RoughContactOf<Formula>& contact) {
+  return contact.all_ways && contact.pressing.empty() && contact.grip == Grip::slides;
+}
+
+// Their motors have an effort that is known, and until the velocities are inputs it is F.
+void free_slipping_joints(MachineOf<Formula>& machine) {
+  for (const RoughContactOf<Formula>& contact : machine.rough_contacts)
+    for (const RubbingWay<Formula>& way : contact.ways) {
+      if (!slips_in_all_ways(contact)) continue;
+      Drive<Formula>& drive = machine.mechanism.drives[way.drive];
+      drive.held = false;
+      drive.effort = contact.sliding;
+    }
+}
+
+void turn_friction_against_slip(const MachineOf<Formula>& machine, TracedMachine& traced_machine,
+                                const std::function<Traced(const Formula&)>& as_traced) {
+  for (const RoughContactOf<Formula>& contact : machine.rough_contacts) {
+    if (!slips_in_all_ways(contact)) continue;
+    const auto rate = [&](const RubbingWay<Formula>& way) {
+      return as_traced(way.arm) * traced_machine.state.v[static_cast<std::size_t>(way.coordinate)];
+    };
+    Traced squares(0);
+    for (const RubbingWay<Formula>& way : contact.ways) squares += rate(way) * rate(way);
+    const Traced slip = sqrt(squares);
+    for (const RubbingWay<Formula>& way : contact.ways) {
+      Traced& effort = traced_machine.mechanism.drives[way.drive].effort;
+      effort = -effort * as_traced(way.arm) * rate(way) / slip;
+    }
+  }
 }
 
 // The state in which signs are decided. It is close to the drawn or stated pose and not special, but satisfies the
@@ -350,6 +387,7 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
   if (machine.mechanism.tree.velocity_size() == 0) throw NoEquations("nothing in it can move");
   check_actions(machine.mechanism, situation);
   if (situation.sought_effort()) throw NoEquations("what drives a joint is to be found: state it in place of any");
+  free_slipping_joints(machine);
   traced_machine.held = find_held(machine.mechanism);
   traced_machine.rubbing = find_rubbing(machine);
 
@@ -395,8 +433,9 @@ TracedMachine traced_machine(const Situation& situation, const EquationsOptions&
     letters[parameter.name] = trace.input(plain(Formula::letter(parameter.name, sign)));
   }
   const auto letter = [&](const std::string& name) { return letters.at(name); };
-  traced_machine.mechanism =
-      convert_mechanism<Traced>(machine.mechanism, [&](const Formula& x) { return traced(x, letter); });
+  const auto as_traced = [&](const Formula& x) { return traced(x, letter); };
+  traced_machine.mechanism = convert_mechanism<Traced>(machine.mechanism, as_traced);
+  turn_friction_against_slip(machine, traced_machine, as_traced);
   return traced_machine;
 }
 

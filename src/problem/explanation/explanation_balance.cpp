@@ -179,16 +179,26 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
     const auto all = bodies_with_mass();
     const bool everything = moves_in_plane({all.begin(), all.end()}, *plane);
     if (everything) everything_in_ = plane;
-    const std::string in_plane =
-        (everything ? "Everything moves" : names_of(bodies) + (bodies.size() > 1 ? " move" : " moves")) + " in the $" +
-        tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) +
-        "$ plane, and nothing is known to act across it: of the six equations those of the plane are left, two of "
-        "forces and one of moments.";
+    const std::set<int> who_moves = everything ? std::set<int>(all.begin(), all.end()) : bodies;
+    const std::string name = "$" + tex_.axis((*plane + 1) % 3) + tex_.axis((*plane + 2) % 3) + "$ plane";
+    const std::string left = std::ranges::all_of(who_moves, [&](int body) { return is_particle(body); })
+                                 ? ": of the three equations of a particle the two of the plane are left."
+                                 : ": of the six equations those of the plane are left, two of forces and one of "
+                                   "moments.";
+    const bool several = !everything && bodies.size() > 1;
+    const std::string subject = everything ? "Everything" : names_of(bodies);
+    const bool starts = !sudden() && !std::ranges::all_of(who_moves, [&](int body) { return stays_at_rest(body); });
+    const std::string at_rest = subject + (starts ? " start" : " rest") + (several ? "" : "s") +
+                                (starts ? " from rest" : "") + ", and nothing is known to act across the " + name +
+                                left,
+                      moving = subject + (several ? " move" : " moves") + " in the " + name +
+                               ", and nothing is known to act across it" + left;
     // For several bodies and instants it is said once.
     const bool said = std::ranges::any_of(explanation_.sections, [&](const ExplainedSection& one) {
-      return std::ranges::any_of(one.steps, [&](const ExplainedStep& step) { return step.text == in_plane; });
+      return std::ranges::any_of(
+          one.steps, [&](const ExplainedStep& step) { return step.text == at_rest || step.text == moving; });
     });
-    if (!said) equations.steps.push_back({in_plane, {}});
+    if (!said) equations.steps.push_back({moves(who_moves) ? moving : at_rest, {}});
   }
   if (const std::vector<std::string> turned = turned_axes(system); !turned.empty())
     equations.steps.push_back(

@@ -95,7 +95,12 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
     for (const Symbol& one : friction) amount = std::hypot(amount, one.value);
     const std::string left = size_of_sum(friction);
     const double limit = cone.coefficient * push.value;
-    const std::string coefficient = tex_.number(cone.coefficient, dimensions::none) + "\\,";
+    const auto& rough = figures_.numbers.machine->rough_contacts;
+    const auto contact = std::ranges::find(rough, static_cast<int>(action), &RoughContactOf<double>::action);
+    const std::string coefficient =
+        (contact == rough.end() ? tex_.number(cone.coefficient, dimensions::none)
+                                : coefficient_in_tex(static_cast<std::size_t>(contact - rough.begin()))) +
+        "\\,";
     const auto in_newtons = [&](double value) { return tex_.with_unit(value, dimensions::force); };
     if (amount > (1 - about_to_slip) * limit) {
       slipping.push_back(name);

@@ -456,7 +456,7 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
                                        "}\\,\\boldsymbol{\\omega}$ (Eq. 18.17):",
                          {}};
       if (tex_.can_show(shown_energy))
-        step.equations.push_back(tex_.equation("T" + index, shown_energy, dimensions::energy, true));
+        step.equations.push_back(tex_.equation((central ? "T'" : "T") + index, shown_energy, dimensions::energy, true));
       steps.push_back(std::move(step));
     }
     if (has_absorbed(body)) steps.push_back(absorbed_step(question, body, about, index));

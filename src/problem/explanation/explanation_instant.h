@@ -207,6 +207,8 @@ class InstantExplainer {
   // The axis across which neither motion nor forces go, if the rows of the plane stand alone.
   Plane plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const;
   bool moves_in_plane(const std::set<int>& bodies, std::size_t axis) const;
+  // Whether one of the bodies has a velocity, or had one before a blow.
+  bool moves(const std::set<int>& bodies) const;
   // The unknowns that act across it.
   std::set<std::string> symbols_across(const std::vector<Row>& rows, Plane plane) const;
   // The unknown forces that meet in the reference point.

@@ -165,6 +165,18 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
       continue;
     }
     if (open) {
+      // To what velocities a motion has led is found nowhere else, and what holds bodies asks for them.
+      const ShownVector v = clean(shown_vector([&](const auto& figures) {
+                                    const auto& motion = figures.now.workspace().motion[at];
+                                    return motion.v + cross(motion.w, mass_of(figures.now, body).center - motion.p);
+                                  }),
+                                  dimensions::velocity);
+      const std::string symbol = "\\mathbf{v}_{" + center_label(body) + "}";
+      if (followed_ && !fixed && norm(v.number) > 0 && tex_.can_show(v) &&
+          motion_said_.insert(body_name(body) + symbol).second)
+        kinetic.steps.push_back({formula_instant_ ? "*" + body_name(body) + "* moves at"
+                                                  : "The motion has led *" + body_name(body) + "* to",
+                                 {tex_.equation(symbol, v, dimensions::velocity)}});
       const auto& link = mechanism().tree.body(body);
       std::string text = " change is unknown; the right sides below ";
       if (link.parent == ground && link.joint == JointType::revolute && fixed)

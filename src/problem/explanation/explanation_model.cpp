@@ -403,7 +403,10 @@ ExplainedSection principle_section(const Statement& statement, const StatementQu
       add("Without a couple about the mass center the angular momentum about it keeps its size and its direction "
           "(Eq. 18.46): how a body turns on follows from how it turns now.");
     if (section.steps.empty() && !asked.moving.empty() && !home.time && !home.ending)
-      add("The velocities follow from how the bodies are held.");
+      add(situation.stages.empty()
+              ? "The velocities follow from how the bodies are held."
+              : "In each stage the forces from outside give the accelerations (Eqs. 18.1, 18.2), and these the "
+                "velocities at its end.");
     if (section.steps.empty() && !asked.masses.empty())
       add("Mass, mass center and inertia are sums over the parts, moved by parallel axes (Eqs. 18.5, 18.6).");
   }

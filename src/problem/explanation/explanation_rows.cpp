@@ -173,6 +173,18 @@ bool InstantExplainer::moves_in_plane(const std::set<int>& bodies, std::size_t a
   });
 }
 
+bool InstantExplainer::moves(const std::set<int>& bodies) const {
+  const auto within = [&](const solve::MechanismState& state, int body) {
+    const auto& motion = state.workspace().motion[static_cast<std::size_t>(body + 1)];
+    const Vector3<double> v = motion.v + cross(motion.w, Vector3<double>(mass_of(state, body).center - motion.p));
+    return !is_rounding(norm(v), noise_size(dimensions::velocity)) ||
+           !is_rounding(norm(motion.w), noise_size(dimensions::angular_velocity));
+  };
+  return std::ranges::any_of(bodies, [&](int body) {
+    return within(figures_.numbers.now, body) || (figures_.numbers.before && within(*figures_.numbers.before, body));
+  });
+}
+
 InstantExplainer::Plane InstantExplainer::plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const {
   if (situation_.plane) return situation_.plane->normal();
   for (const std::size_t axis : {2, 1, 0}) {

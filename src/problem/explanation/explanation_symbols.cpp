@@ -418,8 +418,16 @@ void InstantExplainer::list_unknowns(const std::vector<Symbol>& unknowns) {
     else if (tex_.can_show(symbol.shown))
       step.equations.push_back(tex_.equation(symbol.tex, symbol.shown, symbol.dimension));
   }
+  // Where each component equation has an unknown of its own they are solved as they stand.
+  const ExplainedSection& rows = section(sudden() ? "Impulse and momentum" : "Component equations");
+  const bool said = std::ranges::all_of(step.equations, [&](const ExplainedEquation& solved) {
+    return std::ranges::any_of(rows.steps, [&](const ExplainedStep& one) {
+      return std::ranges::find(one.equations, solved.tex, &ExplainedEquation::tex) != one.equations.end();
+    });
+  });
+  if (said && zero.empty() && shared.empty()) return;
   ExplainedSection& here = section("Unknowns");
-  if (!step.equations.empty()) here.steps.push_back(std::move(step));
+  if (!said) here.steps.push_back(std::move(step));
   if (!zero.empty()) here.steps.push_back({listed(zero) + (zero.size() > 1 ? " are zero." : " is zero."), {}});
   if (shared.empty()) return;
   if (shared.size() == 1) {

@@ -26,9 +26,7 @@ std::optional<LetterValues> coordinate_letters(const Machine& machine, const Mot
     const auto q = static_cast<std::size_t>(body.q);
     // A half turn has no such letters.
     if (now.q[q] == 0) return std::nullopt;
-    for (std::size_t k = 1; k <= 3; ++k)
-      letters["pose " + std::to_string(k) + " of " +
-              machine.mechanism.coordinate_names[static_cast<std::size_t>(body.v)]] = now.q[q + k] / now.q[q];
+    for (std::size_t k = 1; k <= 3; ++k) letters[letter_of_turn(tree.name(i), k - 1)] = now.q[q + k] / now.q[q];
   }
   return letters;
 }

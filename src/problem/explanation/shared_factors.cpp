@@ -44,8 +44,20 @@ WithoutShared without_shared_factors(std::vector<Formula> formulas, const std::v
     return true;
   };
   constexpr int highest_power = 8;  // of a factor that all share: moments of inertia have fifth powers of lengths
-  for (const Formula& factor : factors)
+  for (const Formula& factor : factors) {
     for (int power = 0; power < highest_power && take(factor); ++power) found.divided.push_back(factor);
+    if (is_letter(factor)) continue;
+    // cos(b/2)^6 is as long as its fifth power, and yet not needed.
+    int best = 0;
+    std::size_t least = length;
+    for (int power = 2; power <= highest_power; ++power)
+      if (const std::size_t own = length_of(divided(found.rest, pow(factor, power))); own < least) {
+        least = own;
+        best = power;
+      }
+    if (best == 0 || !take(pow(factor, best))) continue;
+    found.divided.insert(found.divided.end(), static_cast<std::size_t>(best), factor);
+  }
   for (const int prime : {2, 3, 5, 7})
     for (const Formula& by : {Formula(prime), Formula(1) / Formula(prime)})
       while (take(by)) {

@@ -52,6 +52,11 @@ std::optional<double> time_of(const Turn& turn, Course& motion) {
   return times.empty() ? std::nullopt : std::optional(times.front());
 }
 
+std::string words_of_turn(const Turn& turn, const std::string& extreme) {
+  return "Where $" + ExplanationTex::formula(Formula::letter(turn.coordinate, Sign::real)).value_or("") + "$ is " +
+         extreme + " its rate vanishes, and what is kept says";
+}
+
 std::optional<ExplainedStep> step_of(const Turn& turn, Course& motion, const std::vector<KeptValue>& kept,
                                      const GeneralMotion& general, ExplanationTex tex) {
   // Digits of a value that was integrated, and of the extreme's place.
@@ -79,8 +84,7 @@ std::optional<ExplainedStep> step_of(const Turn& turn, Course& motion, const std
   if (!solved.contains(turn.coordinate)) return std::nullopt;
   // With more to be found than is said this is no way to the answer.
   if (solved.size() > step.equations.size()) return std::nullopt;
-  step.text = "Where $" + ExplanationTex::formula(Formula::letter(turn.coordinate, Sign::real)).value_or("") + "$ is " +
-              (turn.largest ? "largest" : "smallest") + " its rate vanishes, and what is kept says";
+  step.text = words_of_turn(turn, turn.largest ? "largest" : "smallest");
   std::vector<std::string> found;
   for (const std::string& name : solved)
     found.push_back(tex.inline_equation(*ExplanationTex::formula(Formula::letter(name, Sign::real)),
@@ -99,7 +103,17 @@ std::vector<ExplainedStep> turning_points(const Statement& statement, std::size_
   Course& motion = sample.motion(situation);
   for (const Turn& turn : turns_of(statement, situation, sample)) {
     try {
-      if (auto step = step_of(turn, motion, kept, general, tex)) steps.push_back(std::move(*step));
+      auto step = step_of(turn, motion, kept, general, tex);
+      if (!step) continue;
+      // What is kept says in letters the same of both ends.
+      const auto same = std::ranges::find_if(steps, [&](const ExplainedStep& other) {
+        return tex.letters_open() && std::ranges::equal(other.equations, step->equations, {}, &ExplainedEquation::tex,
+                                                        &ExplainedEquation::tex);
+      });
+      if (same == steps.end())
+        steps.push_back(std::move(*step));
+      else
+        same->text = words_of_turn(turn, "largest or smallest") + ":";
     } catch (const StatementError&) {
       // What has no time has no step.
     } catch (const std::domain_error&) {

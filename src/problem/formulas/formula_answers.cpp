@@ -10,8 +10,6 @@
 #include "poinsot/engine/solve/instant/equations.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/results/compare_values.h"
-#include "problem/unknowns/extremum.h"
-#include "problem/unknowns/states_at_end.h"
 
 namespace poinsot::problem {
 namespace {
@@ -223,47 +221,23 @@ void FormulaAnswers::add_state_conditions(std::vector<OneSidedForce>& forces) {
   });
 }
 
-// While all contacts rest, what must be positive is linear in a load, and so it is between two ends. The end is where
-// one of these vanishes at which none of the others is negative, whatever the letters.
-Value<Formula> FormulaAnswers::limit_of_sticking(const Ask& ask) {
-  const std::size_t home = situation_of(statement_, ask);
-  const Situation& situation = statement_.situations[home];
-  const std::string& name = ask.extremum->name;
-  const auto letter = std::ranges::find(situation.letters, name, &Letter::name);
-  if (!situation.find.empty() || situation.has_blow() || letter == situation.letters.end() ||
-      leaves_states_open(situation, *ask.extremum))
-    throw NoFormula("it is found by numbers");
+std::vector<Formula> FormulaAnswers::positive_in_states(std::size_t situation) {
   return or_no_formula([&] {
-    const Sample::Home at = numbers_.start_of(home);
+    const DecisionScope decisions;
+    const Sample::Home at = numbers_.start_of(situation);
     FormulaInstant& start = instant(at);
     start.solve_forces();
     SolvedInstant& numbers = numbers_.instant(at);
     numbers.solve_forces();
     if (shares_are_open(numbers)) throw NoFormula("how contacts share what they carry is open");
     std::vector<Formula> positive;
-    const std::vector<RoughContactOf<Formula>>& contacts = start.machine().rough_contacts;
-    for (const StateCondition& condition : state_conditions(start.mechanism_state(), start.unknowns(), contacts))
-      if (condition.holding != Holding::slides) positive.push_back(condition.positive);
+    for (const StateCondition& condition :
+         state_conditions(start.mechanism_state(), start.unknowns(), start.machine().rough_contacts))
+      positive.push_back(condition.positive);
     for (const OneSidedForce& force : one_sided_forces())
       if (!(force.home < at) && !(at < force.home)) positive.push_back(force.value);
-    const double side = ask.extremum->largest ? 1 : -1;
-    std::vector<Formula> ends;
-    for (const Formula& one : positive) {
-      const Formula slope = derivative(one, name);
-      const auto names = slope.letters();
-      if (std::ranges::find(names, name) != names.end()) throw NoFormula("it is no linear end, and found by numbers");
-      const int falls = -seen_sign(slope).sign;
-      if (falls * side > 0) ends.push_back(-poinsot::substituted(one, {{name, Formula()}}) / slope);
-    }
-    for (const Formula& end : ends) {
-      if (!letter->either_sign && seen_sign(end).sign <= 0) continue;
-      if (std::ranges::all_of(positive, [&](const Formula& one) {
-            const Formula there = poinsot::substituted(one, {{name, end}});
-            return there.is_zero() || seen_sign(there).sign > 0;
-          }))
-        return Value<Formula>::of_number(end, letter->unit.dimension);
-    }
-    throw NoFormula("which contact slips first there depends on the letters");
+    for (const Formula& sign : decisions.signs()) positive.push_back(sign);
+    return positive;
   });
 }
 

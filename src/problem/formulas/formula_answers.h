@@ -77,9 +77,10 @@ class FormulaAnswers {
 
   // Throws NoFormula with the reason.
   DecidedFormula value(const Ask& ask);
-  // Up to which value of a letter contacts stick, in the other letters. Throws NoFormula where that is told by one
-  // condition for some letters and by another one for others.
-  Value<Formula> limit_of_sticking(const Ask& ask);
+  // What is positive at the start of a situation as long as its contacts with friction stay in their states, the others
+  // press and cords pull, and what was decided on the way to it. What is so for all letters may be left out. Throws
+  // NoFormula where it is open how contacts share what they carry.
+  std::vector<Formula> positive_in_states(std::size_t situation);
   // What was decided on the way to a truth or a word.
   std::vector<Formula> signs_of_word(const Ask& ask);
   // The sides of a comparison at the start of a situation, after its blow if it has one.

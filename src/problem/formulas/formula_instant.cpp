@@ -45,6 +45,10 @@ FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& 
   if (numbers.after_blow()) solve_blow();
 }
 
+std::string letter_of_turn(const std::string& body, std::size_t axis) {
+  return "tangent of half the turn of " + body + " along " + "xyz"[axis];
+}
+
 InstantView<Formula> FormulaInstant::view() const {
   return {situation_, *data_, machine_, *mechanism_state_, scales_, time_, before_ ? &*before_ : nullptr};
 }
@@ -77,16 +81,52 @@ void FormulaInstant::open_positions() {
     if (body.joint != JointType::ball && body.joint != JointType::free) continue;
     const auto q = static_cast<std::size_t>(body.q);
     if (machine_.position_given[q]) continue;
-    const std::string owner = machine_.mechanism.coordinate_names[static_cast<std::size_t>(body.v)];
     Formula square(1);
     std::array<Formula, 3> part;
     for (std::size_t k = 0; k < 3; ++k) {
-      part[k] = letter("pose " + std::to_string(k + 1) + " of " + owner, dimensions::none);
+      part[k] = letter(letter_of_turn(tree.name(i), k), dimensions::none);
       square += part[k] * part[k];
     }
     const Formula length = sqrt(square);
     machine_.q[q] = Formula(1) / length;
     for (std::size_t k = 0; k < 3; ++k) machine_.q[q + 1 + k] = part[k] / length;
+  }
+}
+
+// A free body may be anywhere. Where a contact or a cord binds it, it stays in that direction as it is drawn.
+void FormulaInstant::open_places() {
+  const Model<Formula>& tree = machine_.mechanism.tree;
+  for (int i = 0; i < tree.body_count(); ++i) {
+    const auto& body = tree.body(i);
+    if (body.joint != JointType::free) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(body.q) + 4 + k;
+      if (machine_.position_given[at]) continue;
+      const Formula drawn = machine_.q[at];
+      const std::string name = "place " + std::to_string(k + 1) + " of " + tree.name(i);
+      machine_.q[at] = drawn + Formula::letter(name, poinsot::Sign::real);
+      mechanism_state_->set_positions(machine_.q);
+      if (all_gaps_are_closed())
+        open_->made.push_back({name, si_unit(dimensions::length), {}, true});
+      else
+        machine_.q[at] = drawn;
+    }
+  }
+}
+
+bool FormulaInstant::all_gaps_are_closed() const {
+  const auto& constraints = machine_.mechanism.constraints;
+  const auto closed = [&](std::size_t i) {
+    return constraint_gap(machine_.mechanism.tree, mechanism_state_->workspace(), constraints[i],
+                          axis_left_free(constraints, i))
+        .is_zero();
+  };
+  try {
+    for (std::size_t i = 0; i < constraints.size(); ++i)
+      if (solve::binds_positions(constraints[i]) && !closed(i)) return false;
+    return true;
+  } catch (const NoFormula&) {
+    return false;
   }
 }
 
@@ -99,6 +139,7 @@ void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) 
     machine_.position_given[k] = true;
   });
   if (open_) open_positions();
+  if (open_ && open_->all_places) open_places();
   mechanism_state_->set_positions(machine_.q);
   // Loops are closed in the pose as drawn. If they do not stay closed, the pose is found by Newton's method and has
   // no formula.

@@ -4,6 +4,7 @@
 // exactly for letters in general position, which are no special values.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,9 +25,14 @@ using FormulaValues = std::map<std::string, Value<Formula>>;
 // Letters that stand in place of zero for what a statement leaves open. Claims use them, as they hold for all values.
 struct OpenLetters {
   bool all_poses = false;         // whether coordinates without name become letters too
+  bool all_places = false;        // and the places of free bodies, as far as nothing binds them
   std::vector<Letter> made;       // for positions and velocities
   std::set<std::string> unfixed;  // accelerations, forces and impulses that nothing determines
 };
+
+// The letter of the turn of a body that no joint or a ball holds, one for each axis from 0 to 2: the turn about an axis
+// by an angle is that axis times the tangent of half the angle.
+std::string letter_of_turn(const std::string& body, std::size_t axis);
 
 // How linear equations over formulas are solved, if not exactly.
 using FormulaLinearSolve = std::function<solve::ExactSolution(const solve::LinearSystemOf<Formula>&)>;
@@ -68,6 +74,8 @@ class FormulaInstant {
   bool decides_sizes() const;
   void set_positions(const std::vector<const Instant*>& instants);
   void open_positions();
+  void open_places();
+  bool all_gaps_are_closed() const;
   void solve_velocities();
   void solve_blow();
   void note_rough_blow(const RoughBlow& rough) const;

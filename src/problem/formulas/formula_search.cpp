@@ -13,7 +13,6 @@
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
-#include "problem/unknowns/extremum.h"
 #include "problem/unknowns/unknown_ranges.h"
 #include "problem/unknowns/unknown_search.h"
 
@@ -25,7 +24,6 @@ constexpr int most_attempts = 30;           // attempts to draw a point at which
 constexpr double formula_tolerance = 1e-8;  // relative difference allowed between formula and numbers
 constexpr double rounding_of_natural = 1e-14;
 constexpr double unknown_tolerance = 1e-7;  // the same for unknowns, which are found by a search
-constexpr double limit_tolerance = 1e-5;    // for what contacts hold, which is sought to a few millionths
 
 // The letter for an unknown or for one of its components.
 std::string letter_of(const Statement& statement, const std::string& unknown, std::size_t situation,
@@ -101,11 +99,6 @@ class FormulaSearch {
  private:
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
-    if (ask.extremum && task_.has_friction()) {
-      Value<Formula> limit = answers_.limit_of_sticking(ask);
-      confirm(limit, i);
-      return limit;
-    }
     const DecidedFormula found = answers_.value(ask);
     Value<Formula> formula = in_letters(found.value);
     require_no_remainders();
@@ -269,26 +262,14 @@ class FormulaSearch {
       if (&point != &checkpoints_.front() && !decided_alike(i, point.letters)) continue;
       bool same = false;
       try {
-        same = agrees(formula, number_at(point, ask), point.letters, tolerance_of(ask),
-                      ask.extremum ? 0 : natural_at(point, i)) &&
+        const double tolerance = task_.unknowns.empty() ? formula_tolerance : unknown_tolerance;
+        same = agrees(formula, asked_value(*point.sample, ask), point.letters, tolerance, natural_at(point, i)) &&
                confirmed_by_particles(*point.sample);
       } catch (const StatementError& error) {
         throw NoFormula("it cannot be checked: " + error.diagnostics().front().message);
       }
       if (!same) throw NoFormula("the formula found does not agree with numbers everywhere");
     }
-  }
-
-  Value<double> number_at(const Checkpoint& point, const Ask& ask) const {
-    if (!ask.extremum) return asked_value(*point.sample, ask);
-    ExtremumFound found = ExtremumSearch(task_.statement, ask, point.sample->settings(), OpenChoice{}).find();
-    if (!found.value) throw NoFormula("it is not found at other values of the letters");
-    return *found.value;
-  }
-
-  double tolerance_of(const Ask& ask) const {
-    if (ask.extremum) return limit_tolerance;
-    return task_.unknowns.empty() ? formula_tolerance : unknown_tolerance;
   }
 
   // The size beside which an answer is compared: of what is asked, but of the whole instant for what is rounding there.

@@ -43,6 +43,7 @@ class Reach {
     for (const FarPoint& point : far_points())
       if (!limit_.spent() || (!point.much.empty() && left_out(point.much))) keep(point.letters, point.much);
     limit_ = WorkLimit(looking_nearer * task_.most);
+    look_longer();
     look_nearer();
     see_what_matters();
     std::vector<LawReach> all;
@@ -60,6 +61,7 @@ class Reach {
     Holds holds;
     std::vector<double> misfit;  // of each law that holds
     std::string much;            // the letter that alone is much larger or smaller than at the base
+    bool too_long = false;       // whether it took more work than a point may
   };
 
   // A point far from the base. `much` names the letter that alone is much larger or smaller there, if it is a single
@@ -123,6 +125,38 @@ class Reach {
   }
   bool left_out(const std::string& letter) const {
     return std::ranges::any_of(laws_, [&](const HeldLaw& one) { return !stands_in(letter, one.law); });
+  }
+  // What is asked at an instant that is sought has no answer where nothing happens, and to look for it in vain takes
+  // far longer than to find it. Points that took too long are tried again with more work, those next to the base first;
+  // what does not happen at one of them is then looked for so long everywhere.
+  void look_longer() {
+    constexpr Work longer = 12;
+    constexpr std::size_t looks = 2;
+    if (std::ranges::none_of(laws_, [](const HeldLaw& law) { return law.of_event || !law.at_events.empty(); })) return;
+    const auto in_vain = [](const Tried& one) {
+      return std::ranges::any_of(one.holds, [](const std::optional<bool>& holds) { return holds == false; });
+    };
+    if (std::ranges::any_of(tried_, in_vain)) return;
+    const auto apart = [&](const Tried* one) {
+      double farthest = 0;
+      for (const auto& [letter, value] : one->letters)
+        farthest = std::max(farthest, std::abs(std::log(std::abs(value / base_.at(letter)))));
+      return farthest;
+    };
+    std::vector<Tried*> again;
+    for (Tried& one : tried_)
+      if (one.too_long) again.push_back(&one);
+    std::ranges::stable_sort(again, {}, apart);
+    if (again.size() > looks) again.resize(looks);
+    each_ = longer * task_.each;
+    bool any = false;
+    for (Tried* one : again) {
+      if (limit_.spent()) break;
+      one->holds = at(one->letters);
+      one->misfit = misfits_;
+      any = any || in_vain(*one);
+    }
+    if (!any) each_ = task_.each;
   }
   // Where a letter alone is much larger or smaller there may be no answer, since something comes to its end. On the way
   // there a bound may lie at which there still is one.
@@ -189,16 +223,19 @@ class Reach {
     Holds holds(laws_.size());
     misfits_.assign(laws_.size(), 0);
     ScalingTrials::Answers answers;
+    too_long_ = false;
     try {
-      const WorkScope scope(task_.each);
+      const WorkScope scope(each_);
       answers = task_.solve(letters);
     } catch (const BudgetEnded&) {
       // Either this point takes too long, or the caller waits no longer.
       check_budget();
+      too_long_ = true;
       return holds;
     } catch (const StatementError&) {
       return holds;
     } catch (const NoFormula&) {
+      too_long_ = true;
       return holds;
     }
     for (std::size_t k = 0; k < laws_.size(); ++k) {
@@ -220,7 +257,7 @@ class Reach {
   }
   void keep(const LetterValues& letters, const std::string& much = "") {
     Holds holds = at(letters);
-    tried_.push_back({letters, std::move(holds), misfits_, much});
+    tried_.push_back({letters, std::move(holds), misfits_, much, too_long_});
   }
 
   // Whether a law tells something where it does not happen. What would happen later than it was looked for may.
@@ -394,6 +431,8 @@ class Reach {
   const LetterScan scan_;
   double& misfit_;
   WorkLimit limit_;
+  Work each_ = task_.each;       // that a point may take
+  bool too_long_ = false;        // whether the point tried last took more
   std::vector<Tried> tried_;     // the base first
   std::vector<double> misfits_;  // of the laws at the point tried last
   std::vector<Formula> inside_;  // what is positive where more conditions are sought

@@ -43,6 +43,7 @@ constexpr std::array customs{
     Custom{"moment", "couple"},
     Custom{"body", "to"},
     Custom{"child", "to"},
+    Custom{"of", "to"},
     Custom{"parent", "from"},
     Custom{"base", "from"},
     Custom{"point", "at"},
@@ -175,6 +176,9 @@ constexpr std::array customs{
     Custom{"bearings", "joints"},
     Custom{"constraints", "joints"},
     Custom{"initial", "instants"},
+    Custom{"initially", "instants"},
+    Custom{"start", "instants"},
+    Custom{"impulse", "value"},
     Custom{"initial_conditions", "instants"},
     Custom{"name", "title"},
     Custom{"calculate", "ask"},
@@ -260,6 +264,17 @@ std::string customary_key(std::string_view word, const std::vector<std::string>&
 }
 std::string customary_call(std::string_view word, const std::vector<std::string>& known) {
   return customary(word, known, true);
+}
+
+std::string customary_joining(std::string_view word) {
+  constexpr std::array joining{
+      Custom{"and", "to' or 'with"}, Custom{"through", "at"},      Custom{"around", "about"},
+      Custom{"round", "about"},      Custom{"for", "of"},          Custom{"in", "of' or 'along"},
+      Custom{"onto", "along"},       Custom{"toward", "along"},    Custom{"towards", "along"},
+      Custom{"between", "to"},       Custom{"wrt", "relative to"}, Custom{"against", "on"},
+      Custom{"upon", "on"}};
+  const auto found = std::ranges::find(joining, word, &Custom::elsewhere);
+  return found == joining.end() ? "" : std::string(found->here);
 }
 
 std::string customary_unit_of(std::string_view quantity) {

@@ -102,8 +102,7 @@ class StateSearch {
     if (sticks) grips.insert(grips.begin(), Grip::sticks);
     if (contacts_[k]->touches()) grips.push_back(Grip::parts);
     // A belt that slips has lost its load: that is said, and not followed.
-    if (contacts_[k]->of_belt) grips = {Grip::sticks};
-    return grips;
+    return contacts_[k]->of_belt ? std::vector{Grip::sticks} : grips;
   }
   bool next(std::vector<std::size_t>& choice) const {
     for (std::size_t k = choice.size(); k-- > 0;) {
@@ -123,6 +122,7 @@ class StateSearch {
     const auto slips_at = [&](const OpenChoice& choice) {
       const SolvedInstant instant = instant_of(situation_, choice);
       std::vector<Vector3<double>> slips;
+      possible_ = instant.possible_slips();
       const double none =
           std::max(none_beside * instant.natural_size(dimensions::velocity), reached_ ? reached_->none : 0);
       for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -166,12 +166,14 @@ class StateSearch {
 
   void try_grips(const std::vector<std::size_t>& choice) {
     States states;
+    std::vector<Grip> grips;
     std::vector<std::size_t> starting;  // those that are at rest and slide
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Grip grip = grips_of(k)[choice[k]];
+      const Grip grip = grips.emplace_back(grips_of(k)[choice[k]]);
       states.push_back(state(k, grip, norm(slips_[k]) > 0 ? slips_[k] : across(k)));
       if (states.back().from_rest) starting.push_back(k);
     }
+    if (!possible_.allow(grips)) return;
     try {
       if (starting.empty())
         keep_if_held(states);
@@ -180,15 +182,9 @@ class StateSearch {
     } catch (const ContradictionError&) {
       // What is stated does not go with these states.
     } catch (const StatementError& error) {
-      std::string doubt;
-      for (const ContactState& one : states)
-        doubt += (doubt.empty() ? "where '" : ", '") + one.contact +
-                 (one.grip == Grip::sticks   ? "' sticks"
-                  : one.grip == Grip::slides ? "' slides"
-                                             : "' parts");
       const Diagnostic& why = error.diagnostics().front();
-      doubt += ": " + why.message + (why.hint.empty() ? "" : " (" + why.hint + ")");
-      if (std::ranges::find(held_.doubts, doubt) == held_.doubts.end()) held_.doubts.push_back(doubt);
+      add_once(held_.doubts,
+               words_of_trial(states) + ": " + why.message + (why.hint.empty() ? "" : " (" + why.hint + ")"));
     }
   }
 
@@ -310,9 +306,10 @@ class StateSearch {
         on_lines = on_lines && norm(cross(slip[starting[i]], lines[i])) <= on_line * norm(slip[starting[i]]);
       keep_if_held(states);
     }
-    if (on_lines &&
-        (axes_[starting.front()] || !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)))
-      return;
+    // In a planar problem what touches slips along the line in which its surface meets the plane.
+    const auto on_a_line = [&](std::size_t k) { return axes_[k] || (situation_.plane && contacts_[k]->touches()); };
+    if (std::ranges::all_of(starting, on_a_line)) return;
+    if (on_lines && !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)) return;
     if (lines_only_) {
       held_.directions_sought = held_.directions_sought || !on_lines;
       return;
@@ -464,6 +461,7 @@ class StateSearch {
   std::vector<std::optional<Vector3<double>>> axes_;  // of friction in joints, as drawn
   std::vector<bool> in_space_;                        // of each, whether its slip may have any direction in space
   std::vector<bool> leaves_;                          // of each contact, whether it comes apart already
+  PossibleSlips possible_;
   HeldStates held_;
   std::vector<bool> whole_;  // of each combination that holds: whether no smooth contact pulls and no cord pushes
   bool whole_now_ = true;    // the same of the one that was solved last

@@ -91,6 +91,16 @@ std::string words_of(const ContactState& state, const std::vector<double>& along
   return contact + (state.from_rest ? " begins to slide along " : " slides along ") + words;
 }
 
+std::string words_of_trial(const std::vector<ContactState>& states) {
+  std::string words;
+  for (const ContactState& one : states)
+    words += (words.empty() ? "where '" : ", '") + one.contact +
+             (one.grip == Grip::sticks   ? "' sticks"
+              : one.grip == Grip::slides ? "' slides"
+                                         : "' parts");
+  return words;
+}
+
 std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings) {
   const auto stated = std::ranges::find(situation.contacts, state.contact, &Contact::name);
   if (stated != situation.contacts.end() && stated->on_cord) {

@@ -26,6 +26,9 @@ std::string words_of(const ContactState& state, const std::vector<double>& along
 // The same with numbers wherever the direction has no name.
 std::string words_of(const ContactState& state, const Situation& situation, const Settings& settings);
 
+// "where 'a' sticks, 'b' slides", of states that are tried.
+std::string words_of_trial(const std::vector<ContactState>& states);
+
 // The directions that have names, the axes and those of the file, each with its opposite.
 std::vector<Expression> named_directions(const Situation& situation);
 // What an expression tells of a direction; nothing if it depends on an unknown, or is none.

@@ -337,6 +337,19 @@ double SolvedInstant::natural_size(const Dimension& d) const {
   return natural_unit(d) * part_of_turning(d) * (d.time == 0 ? 1 : std::pow(pace, -d.time / 12.0));
 }
 
+std::optional<SolvedInstant::WayOfChange> SolvedInstant::way_of_change() const {
+  std::optional<WayOfChange> way;
+  double fastest = 0;
+  constexpr double rounding = 1e-14;  // of v^2/a to the metre, that which balanced forces leave
+  for (const BodyMotion<double>& motion : mechanism_state_->workspace().motion) {
+    const double speed = norm(motion.v), push = norm(motion.a);
+    if (!(speed > fastest) || !(push > rounding * speed * speed)) continue;
+    fastest = speed;
+    way = {speed * speed / push, dot(motion.v, motion.a) < 0};
+  }
+  return way;
+}
+
 // A body turns by couples that are nothing beside the moments of its way round a far center.
 double SolvedInstant::part_of_turning(const Dimension& d) const {
   if (machine_.mechanism.attractions.empty() || d.length != 24) return 1;

@@ -14,6 +14,7 @@
 #include "problem/instant/friction_shares.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/instant/rough_blow.h"
+#include "problem/quantities/possible_slips.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/rough_contact.h"
 
@@ -109,6 +110,13 @@ class SolvedInstant {
   bool uses_any() const { return !any_values_.empty(); }
   // The largest rate with which something moves or would begin to move, 1/s.
   double pace() const { return natural_size(dimensions::none / dimensions::time); }
+  // The way on which the fastest body changes its velocity by as much as that is, v^2/a, and whether it slows down.
+  // Needs the accelerations; nothing where nothing moves, or is pushed.
+  struct WayOfChange {
+    double length = 0;  // m
+    bool slows = false;
+  };
+  std::optional<WayOfChange> way_of_change() const;
 
   // Solves for accelerations and forces. Quantities that need them call this themselves.
   void solve_forces();
@@ -185,6 +193,8 @@ class SolvedInstant {
   // normal, and how it comes apart and slips, by the velocities or (after solve_forces()) by the accelerations.
   Vector3<double> rough_normal(std::size_t contact) const;
   RoughMotion<double> rough_motion_as_drawn(std::size_t contact, bool accelerations) const;
+  // Which states of them the bodies allow together, where nothing moves.
+  PossibleSlips possible_slips() const { return PossibleSlips(*mechanism_state_, machine_.rough_contacts); }
 
   // Where contacts and cords share a load: the least and the largest value of a number, or of each component of a
   // vector, over all shares in which none pulls or pushes the wrong way; infinite where nothing bounds it. Nothing if

@@ -20,10 +20,10 @@ double dot_product(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-void remove_components(const std::vector<std::vector<double>>& directions, std::vector<double>& v) {
+void reduce_components(const std::vector<std::vector<double>>& directions, std::vector<double>& v, double part) {
   for (const std::vector<double>& direction : directions) {
     const double along = dot_product(v, direction);
-    for (std::size_t k = 0; k < v.size(); ++k) v[k] -= along * direction[k];
+    for (std::size_t k = 0; k < v.size(); ++k) v[k] -= (1 - part) * along * direction[k];
   }
 }
 
@@ -41,7 +41,7 @@ std::vector<std::vector<double>> take_massless(const Machine& machine, std::vect
     }
     if (dynamics.kinetic_energy(machine.q, direction) > no_inertia * size) return false;
     std::vector<double> rest = direction;
-    remove_components(massless, rest);
+    reduce_components(massless, rest);
     const double length = std::sqrt(dot_product(rest, rest));
     for (double& component : rest) component /= length;
     massless.push_back(std::move(rest));

@@ -15,8 +15,8 @@ namespace poinsot::problem {
 // Takes from the open directions of velocities those that move no mass, and returns them perpendicular to each other
 // and of length one.
 std::vector<std::vector<double>> take_massless(const Machine& machine, std::vector<std::vector<double>>& open);
-// Takes the components along such directions out of the velocities.
-void remove_components(const std::vector<std::vector<double>>& directions, std::vector<double>& v);
+// Leaves of the components of the velocities along such directions this part: none if nothing is said.
+void reduce_components(const std::vector<std::vector<double>>& directions, std::vector<double>& v, double part = 0);
 
 // The turning of a body about a line fixed in it about which it has no moment of inertia.
 struct MasslessSpin {

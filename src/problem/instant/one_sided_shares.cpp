@@ -33,7 +33,8 @@ MatrixXd across(const MatrixXd& Z) {
 MatrixXd kernel(const MatrixXd& Z) { return across(Z.transpose()).transpose(); }
 
 // The shares in which no force is negative, as A x = b with x >= 0. The last unknown is what is left of `most` for the
-// sum of all. The forces are in units of the largest.
+// sum of all, whose equation is divided by that: what counts as fulfilled goes by the largest right side. The forces
+// are in units of the largest.
 struct Shares {
   MatrixXd A;
   VectorXd b;
@@ -42,10 +43,10 @@ struct Shares {
     const Index n = y0.size();
     A = MatrixXd::Zero(N.rows() + 1, n + 1);
     A.topLeftCorner(N.rows(), n) = N;
-    A.row(N.rows()).setOnes();
+    A.row(N.rows()).setConstant(1 / most);
     b = VectorXd(N.rows() + 1);
     b.head(N.rows()) = N * y0;
-    b[N.rows()] = most;
+    b[N.rows()] = 1;
   }
 };
 

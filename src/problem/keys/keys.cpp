@@ -62,6 +62,7 @@ constexpr auto table = std::to_array<LanguageKey>({
     {"choice", "exactly", expression, "", "how many of them"},
     {"choice", "least", name, "", "`total`: the choice with the least sum of their amounts"},
     {"unknown", "vector", unit, "", "the unit of an unknown vector"},
+    {"unknown", "signed", unit, "", "the unit of an unknown that may be negative, also where it would be taken as not"},
     {"letter", "signed", unit, "", "the unit of a letter that may be positive or negative"},
     {"claim", "claim", list, "", "a comparison of quantities, or several that hold together"},
     {"claim", "assume", list, "", "further comparisons under which it is made"},

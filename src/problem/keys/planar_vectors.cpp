@@ -39,6 +39,10 @@ class VectorsOfPlane {
         complete_map(value, key->object_name.empty() ? key->key : key->object_name);
       } else {
         complete_items(value);
+        // Corners may be written in quotes.
+        if (key && key->type == KeyType::list && (find_key("shape", object) || key == find_key("shape", name.text)))
+          for (Entry& corner : value.items)
+            if (corner.is_scalar()) complete_text(corner.text, false);
         if (key && (key->type == KeyType::text || key->type == KeyType::name)) continue;
         complete_text(name.text, true);
         complete_within(value);

@@ -25,6 +25,7 @@ constexpr std::array signs{
     Sign{"\"", "", "an expression has no quotes; inches are written in, a second derivative with two primes, turn''"},
     Sign{"'", "", "a prime stands right after a name, turn'; to derive anything else give it a name under 'define:'"},
     Sign{"{", "", "use parentheses"},
+    Sign{"|", "", "the size of a vector is written norm(v), that of a number abs(x)"},
     Sign{"}", "", "use parentheses"},
     Sign{"%", "", "percent stands after a number and a blank, 5 %"},
     Sign{"\xe2\x88\x92", "a typographic minus", "write -"},

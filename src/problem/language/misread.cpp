@@ -1,8 +1,10 @@
 #include "problem/language/misread.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+#include "problem/habits/customary_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/units.h"
 
@@ -24,6 +26,8 @@ constexpr std::array call_forms{
     CallForm{"min", "min(a with b)"},
     CallForm{"max", "max(a with b)"},
     CallForm{"distance", "distance(P to Q)"},
+    CallForm{"center", "center(disk)"},
+    CallForm{"position", "position(A of plate)"},
     CallForm{"velocity", "velocity(A of plate relative to car)"},
     CallForm{"acceleration", "acceleration(A of plate relative to car)"},
     CallForm{"angular_velocity", "angular_velocity(disk relative to car)"},
@@ -38,10 +42,14 @@ constexpr std::array call_forms{
     CallForm{"spin_rate", "spin_rate(disk about y)"},
 };
 
+// How a call of the function is written; "" if the table does not have it.
+std::string known_form(std::string_view function) {
+  const auto known = std::ranges::find(call_forms, function, &CallForm::function);
+  return known == call_forms.end() ? "" : std::string(known->form);
+}
+
 std::string form_of(const std::string& function, const char* otherwise) {
-  for (const CallForm& form : call_forms) {
-    if (form.function == function) return "write " + std::string(form.form);
-  }
+  if (const std::string form = known_form(function); !form.empty()) return "write " + form;
   return std::string("arguments ") + otherwise + ", as in cross(u with v)";
 }
 
@@ -66,7 +74,7 @@ void fail_unclosed(const ExpressionSource& source, const TokenReader& tokens, co
     }
     source.fail(bracket.opening.begin, "'" + bracket.opening.text + "' is never closed", hint);
   }
-  fail_left_over(source, tokens, true);
+  fail_left_over(source, tokens, true, function);
 }
 
 void fail_missing(const ExpressionSource& source, const TokenReader& tokens) {
@@ -86,7 +94,8 @@ void fail_missing(const ExpressionSource& source, const TokenReader& tokens) {
                                source.quoted(token));
 }
 
-void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call) {
+void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call,
+                    const std::string& function) {
   const Token& token = tokens.now();
   const std::string here = source.quoted(token);
   if (token.is_sign(")") || token.is_sign("]")) {
@@ -114,6 +123,16 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
     if (const std::string hint = did_you_mean(std::string(token.text), joining); !hint.empty())
       source.fail(token.begin, here + " is no word that joins the arguments of a call", hint);
   }
+  if (const std::string customary = customary_joining(token.text); !customary.empty()) {
+    const std::string of = in_call ? function : tokens.at_beginning() ? "" : tokens.before().text;
+    if (const std::string form = known_form(of); in_call ? !function.empty() : !form.empty())
+      source.fail(token.begin, here + " is no word that joins the arguments of a call",
+                  "the language says '" + customary + "'" + (form.empty() ? "" : ": write " + form));
+  }
+  for (const std::string_view instant : {"after", "before", "at", "when", "during"})
+    if (!in_call && !tokens.at_beginning() && token.kind == Token::Kind::name && token.text == instant)
+      source.fail(token.begin, here + " cannot stand here",
+                  "an instant stands behind '@': kinetic_energy(disk) @ after");
   const bool simple = tokens.before().kind != Token::Kind::sign && token.kind != Token::Kind::sign;
   if (tokens.before().kind == Token::Kind::name && token.kind == Token::Kind::name && is_unit_name(token.text))
     source.fail(token.begin, here + " is a unit, which stands behind a number",
@@ -140,6 +159,7 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
 std::string undefined_name_hint(const std::string& name, const std::vector<std::string>& known) {
   if (is_unit_name(name)) return "it is a unit too: one stands behind its number and a blank, as in 3 m/s or 180 rpm";
   if (std::string hint = did_you_mean(name, known); !hint.empty()) return hint;
+  if (const std::string form = known_form(name); !form.empty()) return "it is asked of something: write " + form;
   const std::string unit = nearest(name, unit_names());
   return unit.empty() ? "" : "if a unit is meant, write '" + unit + "'; if a datum, define it under given: or letters:";
 }

@@ -23,7 +23,9 @@ struct OpenBracket {
 [[noreturn]] void fail_missing(const ExpressionSource& source, const TokenReader& tokens);
 
 // Reports a token that does not continue the expression read before it.
-[[noreturn]] void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call);
+// function: whose arguments it is among, "" in other brackets.
+[[noreturn]] void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, bool in_call,
+                                 const std::string& function = "");
 
 // What to do about a name that is not defined: the known name that is near to it, or what to know of units; "" if there
 // is nothing to say.

@@ -234,7 +234,8 @@ constexpr std::array translations{
     Translation{"illegal tab when looking for indentation", "a tab stands where the indentation is looked for",
                 "indent with blanks"},
     Translation{"unknown token", "no value can begin with this character", "put the text into quotes"},
-    Translation{"unexpected character in block scalar", "after '|' or '>' nothing else may stand on the line", ""},
+    Translation{"unexpected character in block scalar", "after '|' or '>' nothing else may stand on the line",
+                "the size of a vector is written norm(v); a text that begins so stands on the lines below"},
 };
 
 Diagnostic translated(const YAML::Exception& error, const Builder& builder, const SourceMap& source,

@@ -8,7 +8,6 @@
 
 #include "poinsot/engine/mass/composition.h"
 #include "poinsot/engine/mass/particles.h"
-#include "poinsot/engine/mass/validity.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
@@ -226,7 +225,8 @@ BodyMassOf<Scalar> MassReader<Scalar>::of_numbers() {
     whole.properties = {mass, center, tensor};
   }
   if (!lenient_ || wants_particles())
-    if (const auto report = validate(plain(whole.properties), body_.name))
+    if (const auto report =
+            validate(plain(whole.properties), body_.name, usual_tolerance_of_moments, moment_unit(data_.situation())))
       fail(file(), body_.inertia ? body_.inertia->mark : body_.mark, report->message);
   if (wants_particles()) whole.particles = equivalent_particles(plain(whole.properties));
   if (in_central_gravity())
@@ -267,9 +267,15 @@ BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const An
   result.center = result.properties.center;
   reader.absorb(result);
   if (lenient) return result;
-  if (const auto report = validate(plain(result.properties), body.name))
+  if (const auto report =
+          validate(plain(result.properties), body.name, usual_tolerance_of_moments, moment_unit(data.situation())))
     fail(data.situation().file, body.mark, report->message);
   return result;
+}
+
+MomentUnit moment_unit(const Situation& situation) {
+  const Unit unit = situation.habits.unit_for(dimensions::moment_of_inertia);
+  return unit.factor == 1 ? MomentUnit{} : MomentUnit{unit.factor, unit.text};
 }
 
 template <class Scalar>

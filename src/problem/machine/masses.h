@@ -7,6 +7,7 @@
 
 #include "poinsot/engine/mass/mass_properties.h"
 #include "poinsot/engine/mass/particle_set.h"
+#include "poinsot/engine/mass/validity.h"
 #include "poinsot/engine/math/algebra/matrix3.h"
 #include "problem/machine/data.h"
 
@@ -39,6 +40,9 @@ using BodyMass = BodyMassOf<double>;
 template <class Scalar>
 BodyMassOf<Scalar> body_mass(const Body& body, DataScope<Scalar>& data, const AnyValue& any, bool lenient = false,
                              bool particles = false);
+
+// The unit in which messages tell moments of inertia: that of the file.
+MomentUnit moment_unit(const Situation& situation);
 
 // The parts one by one, as drawn, on the axes of the ground: first those under parts: (a body known by numbers counts
 // as one), then what is added to it, then particles that stay in it after a blow. A hole has negative mass. The

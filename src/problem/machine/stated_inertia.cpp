@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "poinsot/engine/mass/composition.h"
-#include "poinsot/engine/mass/validity.h"
 #include "poinsot/engine/math/algebra/plain.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
@@ -77,7 +76,8 @@ SymmetricMatrix3<Scalar> InertiaReader<Scalar>::on_own_axes(const StatedInertia&
         fail(file(), inertia.matrix->mark(), "an inertia matrix has three rows of three moments of inertia");
       I.row(i) = rows.items[i].vector;
     }
-    if (const auto report = validate(plain(mass), Vector3<double>::zero(), plain(I), source_.body);
+    if (const auto report = validate(plain(mass), Vector3<double>::zero(), plain(I), source_.body,
+                                     usual_tolerance_of_moments, moment_unit(source_.data.situation()));
         report && report->rule == MassRule::symmetric_tensor)
       fail(file(), inertia.mark, report->message);
     return symmetric_part(I);

@@ -125,6 +125,22 @@ std::optional<std::string> planar_words(const std::vector<Expression>& asked, co
   return words_of(whole(first), situation);
 }
 
+// Quantities that are asked for one after the other, or a vector by its components: in the plane those in it.
+std::string list_words(const List& list, const Situation& situation) {
+  const bool vector = std::ranges::none_of(list.items, [](const Expression& item) {
+    const Call* call = item.as<Call>();
+    const Name* name = item.as<Name>();
+    return (call && !noun_of(call->function).empty()) || (name && name->primes > 0) || item.as<Of>() ||
+           item.as<Member>();
+  });
+  std::string words;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    if (vector && situation.plane && list.items.size() == 3 && i == situation.plane->normal()) continue;
+    words += (words.empty() ? "" : vector ? ", " : "; ") + words_of(list.items[i], situation);
+  }
+  return vector ? "[" + words + "]" : words;
+}
+
 std::string words_of(const Expression& expression, const Situation& situation) {
   if (const auto planar = planar_words({expression}, situation)) return *planar;
   if (expression.as<Call>()) return call_words(expression, situation);
@@ -132,11 +148,7 @@ std::string words_of(const Expression& expression, const Situation& situation) {
     return words_of(at->expression, situation) + " @ " + at->instant;
   if (const Of* of = expression.as<Of>())
     return words_of(of->point, situation) + " of " + words_of(of->body, situation);
-  if (const List* list = expression.as<List>()) {
-    std::string words;
-    for (const Expression& item : list->items) words += (words.empty() ? "" : "; ") + words_of(item, situation);
-    return words;
-  }
+  if (const List* list = expression.as<List>()) return list_words(*list, situation);
   if (const Member* member = expression.as<Member>();
       member && std::ranges::find(situation.axes, member->name) != situation.axes.end())
     return words_of(member->object, situation) + ", " + member->name + " component";

@@ -211,16 +211,20 @@ class SceneMotion {
       if (links[link].kind != scene::LinkKind::cord || !begun.insert(links[link].name).second) continue;
       std::size_t next = link;
       for (const Component<double>* part : straight_parts(mechanism, links[link].name)) {
-        motion_.links.push_back({next++, {}, {}});
+        motion_.links.push_back({next, {}, {}});
         spans_.push_back(*part->span);
+        // Either end of its part may be that where a link begins.
+        const SpanLine<double> drawn = line_of(mechanism.tree, figure_.state().workspace(), *part->span);
+        const Vector3<double> begin = figure_.on_ground(links[next++].from);
+        from_start_.push_back(norm(Vector3<double>(begin - drawn.start)) < norm(Vector3<double>(begin - drawn.end)));
       }
     }
   }
   void add_links(const solve::MechanismState& state) {
     for (std::size_t k = 0; k < spans_.size(); ++k) {
       const SpanLine<double> line = line_of(figure_.mechanism().tree, state.workspace(), spans_[k]);
-      motion_.links[k].from.push_back(line.end);
-      motion_.links[k].to.push_back(line.start);
+      motion_.links[k].from.push_back(from_start_[k] ? line.start : line.end);
+      motion_.links[k].to.push_back(from_start_[k] ? line.end : line.start);
     }
   }
 
@@ -261,7 +265,8 @@ class SceneMotion {
       if (const At* at = ask->of.front().as<At>(); at && ask->of.size() == 1)
         add_plot(ask->name, to_string(at->expression), at->expression, ask->axes);
     for (const NamedCoordinate& coordinate : figure_.machine().coordinates) {
-      if (coordinate.name.empty() || motion_.plots.size() >= most_plots) continue;
+      // What is asked has its line already.
+      if (coordinate.name.empty() || plotted_.contains(coordinate.name) || motion_.plots.size() >= most_plots) continue;
       const Unit& unit = figure_.tex().unit(coordinate.turning ? dimensions::angle : dimensions::length);
       scene::Plot plot{coordinate.name, "coordinate " + coordinate.name, unit.text, {coordinate.name}, {{}}};
       for (const std::vector<double>& q : positions_)
@@ -352,6 +357,7 @@ class SceneMotion {
   double until_ = 0;
   std::vector<std::vector<double>> positions_;
   std::vector<CordSpan<double>> spans_;  // of the links of the motion
+  std::vector<bool> from_start_;         // whether the links begin where these start
   scene::Motion motion_;
 };
 

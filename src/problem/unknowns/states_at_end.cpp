@@ -36,12 +36,6 @@ bool leaves_states_open(const Situation& situation, const Extremum& extremum) {
   });
 }
 
-bool leaves_touching_open(const Situation& situation, const Extremum& extremum) {
-  return std::ranges::any_of(situation.contacts, [&](const Contact& contact) {
-    return contact.touches() && !contact.rubs() && !contact.flies && !asks_of(extremum, contact, "touching");
-  });
-}
-
 // Whether what is asked of a contact may hold in a state.
 bool ExtremumSearch::may_be(const Contact& contact, Grip grip) const {
   return std::ranges::none_of(ask_.extremum->conditions, [&](const Expression& condition) {

@@ -234,7 +234,11 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
                         " that were tried; at the first of them: " + refusal.message;
       throw StatementError(refusal);
     }
-    if (explained) found.warnings.push_back(nothing_found(equations, result, excluded));
+    if (explained) {
+      const std::optional<std::vector<double>> beyond =
+          problem.costly ? std::nullopt : root_below_zero(equations, problem, std::min(limit_.left(), taken));
+      found.warnings.push_back(nothing_found(equations, result, excluded, beyond));
+    }
   } else if (result.search == solve::RootSearch::few_evaluations) {
     found.warnings.push_back("found from a few motions; others are not excluded");
   } else if (result.search == solve::RootSearch::many_starts && found.open.empty()) {
@@ -278,8 +282,31 @@ bool UnknownSearch::confirmed_where_nothing_was_found(const UnknownEquations& eq
   return true;
 }
 
-// Reports how roots were sought in vain, and which conditions clash where they come closest to holding.
-std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const {
+// A place at which all conditions hold if what is taken as not negative may be negative, if there is one.
+std::optional<std::vector<double>> UnknownSearch::root_below_zero(UnknownEquations& equations,
+                                                                  const solve::RootProblem& problem, Work most) const {
+  solve::RootProblem either = problem;
+  bool wider = false;
+  for (solve::RootRange& range : either.ranges)
+    if (range.lower == 0) {
+      range.lower = -std::numeric_limits<double>::infinity();
+      wider = true;
+    }
+  if (!wider) return std::nullopt;
+  std::set<std::string> sought;
+  for (const Unknown& unknown : unknowns_) sought.insert(unknown.name);
+  const solve::Roots roots = solve::find_roots(either, most);
+  if (roots.open) return std::nullopt;
+  for (const std::vector<double>& point : roots.points)
+    if (satisfies_where(statement_, equations.system().situations(), equations.settings_at(point), sought))
+      return point;
+  return std::nullopt;
+}
+
+// Reports how roots were sought in vain, and which conditions clash where they come closest to holding, or what kept
+// the unknowns from the place `beyond` their ranges at which all hold.
+std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded,
+                                         const std::optional<std::vector<double>>& beyond) const {
   const UnknownSystem& system = equations.system();
   std::string how;
   bool proved = false;
@@ -329,6 +356,14 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
       text += "; gravity, of which nothing is said, was left out: write gravity: -y or gravity: none";
       break;
     }
+  if (beyond) {
+    std::vector<std::string> negative;
+    for (std::size_t k = 0; k < beyond->size(); ++k)
+      if ((*beyond)[k] < 0) add_once(negative, equations.slots()[k].unknown.name);
+    return text + "; they hold with " + values_in_words(equations.slots(), *beyond) + ", but " + listed(negative) +
+           (negative.size() > 1 ? " are" : " is") +
+           " taken as not negative (turn round what pushes, or write {signed: UNIT} under find:)";
+  }
   if (result.best.empty()) return text;
   // If the situation is solved at this place, its error tells what clashes. That needs values for all of its
   // unknowns.

@@ -117,7 +117,7 @@ Value<double> quantity_at(const Situation& situation, const Settings& settings, 
 }  // namespace
 
 bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown) {
-  if (unknown.vector) return false;
+  if (unknown.vector || unknown.either_sign) return false;
   const Dimension& d = unknown.unit.dimension;
   if (d == dimensions::mass || d == dimensions::time) return true;
   if (d == dimensions::length) return is_extent(situation, unknown.name) || !is_coordinate(situation, unknown.name);

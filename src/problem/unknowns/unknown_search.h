@@ -82,7 +82,10 @@ class UnknownSearch {
                         std::optional<double> zero = {});
   RootsFound find_block(UnknownEquations& equations, bool explained = true, std::optional<double> zero = {});
   bool confirmed_where_nothing_was_found(const UnknownEquations& equations, const solve::Roots& result) const;
-  std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded) const;
+  std::optional<std::vector<double>> root_below_zero(UnknownEquations& equations, const solve::RootProblem& problem,
+                                                     Work most) const;
+  std::string nothing_found(UnknownEquations& equations, const solve::Roots& result, bool excluded,
+                            const std::optional<std::vector<double>>& beyond) const;
   std::optional<StatementError> objection(const AllSettings& root) const;
   void leave_out_nonsense(RootsFound& found) const;
   UnknownEquations equations_of(const UnknownSystem& system, const AllSettings& settings) const;

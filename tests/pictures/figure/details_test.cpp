@@ -141,6 +141,61 @@ TEST(Details, what_is_lost_beside_its_way_is_drawn_larger_and_that_is_said) {
   EXPECT_FALSE(tells(figure(held, model, "", front), "larger"));
 }
 
+// A bollard between a ship and the hand that holds its hawser, far apart.
+TEST(Details, a_post_that_is_lost_beside_its_cord_is_drawn_larger) {
+  const FigureName model{FigureKind::model, "model", "", scene::ground};
+  for (const double radius : {0.15, 2.0}) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.length = 16;
+    const Vector ship{-12, radius, 0}, hand{6, radius, 0}, top{0, radius, 0};
+    scene.bodies = {{.name = "ship", .mass = 1, .center = ship}, {.name = "hand", .mass = 1, .center = hand}};
+    scene.links = {{.name = "hawser", .from = {0, ship}, .to = {scene::ground, top}},
+                   {.name = "hawser", .from = {scene::ground, top}, .to = {1, hand}}};
+    scene::Curve post{scene::CurveKind::post, "", scene::ground, true, {}};
+    for (int i = 0; i < 36; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 36;
+      post.points.push_back({radius * std::sin(angle), radius * std::cos(angle), 0});
+    }
+    scene.curves = {post};
+    scene.points = {{"O", {scene::ground, {0, 0, 0}}}};
+    const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+    EXPECT_EQ(tells(drawing, "larger"), radius < 1);
+    // The cord comes to its rim and does not pass over it.
+    Box rim, cord;
+    for (const Mark& mark : drawing.marks) {
+      const auto* stroke = std::get_if<Stroke>(&mark);
+      if (stroke == nullptr) continue;
+      for (const Point2& p : stroke->points) {
+        if (stroke->closed && stroke->role == Role::symbol && stroke->points.size() == 36) rim.include(p);
+        if (stroke->role == Role::link && stroke->points.size() == 2 && stroke->width == 1.4) cord.include(p);
+      }
+    }
+    EXPECT_GT(rim.width(), 30) << radius;
+    EXPECT_NEAR(cord.top, rim.top, 0.5) << radius;
+  }
+}
+
+// A spring of 100 m of which a piece is drawn: its length would be read from the piece.
+TEST(Details, a_length_along_what_is_cut_off_is_not_told) {
+  const FigureName model{FigureKind::model, "model", "", scene::ground};
+  for (const bool far : {false, true}) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.bodies = {{.name = "block", .mass = 1, .shapes = {pictures_test::box_shape({-1, 0, -1}, {1, 1, 1})}}};
+    scene.links = {
+        {.kind = scene::LinkKind::spring, .name = "s", .from = {0, {0, 0, 0}}, .to = {scene::ground, {0, -2, 0}}}};
+    scene.links[0].far = far;
+    scene::Dimension height;
+    height.name = "h";
+    height.text = "h = 100 m";
+    height.from = {0, {0, 0, 0}};
+    height.to = {scene::ground, {0, -2, 0}};
+    scene.dimensions = {height};
+    EXPECT_EQ(tells(figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})}), "100"), !far);
+  }
+}
+
 // An axle of which the frame turns about the middle of a curve.
 scene::Scene on_curve(double radius, double size) {
   scene::Scene scene;
@@ -181,6 +236,37 @@ TEST(Details, what_is_joined_from_far_away_is_drawn_nearer_and_that_is_said) {
   }
   EXPECT_FALSE(tells(figure(on_curve(12, 1), model, "", front), "nearer"));
   EXPECT_FALSE(tells(figure(on_orbit(7e6, 7), model, "", front), "nearer"));
+}
+
+// On a curve nothing holds the axle at the middle: the frame in which all is steady turns there.
+scene::Scene in_frame_on_curve(double radius) {
+  scene::Scene scene = on_curve(radius, 1);
+  scene.symbols.erase(scene.symbols.begin());
+  scene.bodies.push_back({.name = "curve", .frame = true, .massless = true});
+  scene::Arrow turning;
+  turning.quantity = scene::Quantity::angular_velocity;
+  turning.name = turning.symbol = turning.text = "W";
+  turning.body = 2;
+  turning.at = {2, {0, 0, 0}};
+  turning.vector = {0, 1, 0};
+  scene::Diagram model;
+  model.kind = scene::DiagramKind::model;
+  model.arrows = {turning};
+  scene.diagrams = {model};
+  return scene;
+}
+
+TEST(Details, what_a_frame_carries_far_from_its_axis_is_drawn_nearer) {
+  const FigureName model{FigureKind::model, "model", "", scene::ground};
+  const Looks front{.view = view_from({0, 0, 1}, {0, 1, 0})};
+  const Drawing drawing = figure(in_frame_on_curve(300), model, "", front);
+  EXPECT_TRUE(tells(drawing, "nearer"));
+  EXPECT_FALSE(tells(drawing, "larger"));
+  EXPECT_GT(width_of_bodies(drawing), 80);
+  // What goes round a center that pulls is not.
+  scene::Scene orbit = in_frame_on_curve(300);
+  orbit.curves = {{scene::CurveKind::attractor, "gravity", scene::ground, false, {{0, 0, 0}}}};
+  EXPECT_FALSE(tells(figure(orbit, model, "", front), "nearer"));
 }
 
 TEST(Details, needles_of_cones_are_cut_across_the_angular_momentum) {

@@ -41,5 +41,35 @@ TEST(Names, a_wheel_at_the_end_of_its_axle_has_its_name_at_the_wheel) {
   }
 }
 
+// Two bars with a pin at B, a point of the first: cut free, the second has its name there as well, and not that of A.
+TEST(Names, the_pin_of_a_joint_is_named_on_both_bodies_that_it_joins) {
+  for (const int cut_free : {0, 1}) {
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.length = 4;
+    scene.bodies = {{.name = "one", .mass = 1, .shapes = {pictures_test::box_shape({-2, -0.1, -0.1}, {0, 0.1, 0.1})}},
+                    {.name = "two", .mass = 1, .shapes = {pictures_test::box_shape({0, -0.1, -0.1}, {2, 0.1, 0.1})}}};
+    scene.symbols = {{.kind = scene::SymbolKind::revolute,
+                      .name = "pin",
+                      .from = 0,
+                      .to = 1,
+                      .place = {1, {0, 0, 0}},
+                      .axis = {0, 0, 1}}};
+    scene.points = {{"A", {0, {-2, 0, 0}}}, {"B", {0, {0, 0, 0}}}, {"C", {1, {2, 0, 0}}}};
+    scene::Diagram diagram;
+    diagram.kind = scene::DiagramKind::free_body;
+    diagram.bodies = {cut_free};
+    scene.diagrams = {diagram};
+    const Drawing drawing = figure(scene, {FigureKind::free_body, "free-body", "What acts", scene::ground}, "",
+                                   {.view = view_from({0, 0, 1}, scene.up)});
+    std::string names;
+    for (const Mark& mark : drawing.marks)
+      if (const auto* label = std::get_if<Label>(&mark); label != nullptr && label->runs.front().text.size() == 1)
+        names += label->runs.front().text;
+    for (const auto& [name, body] : {std::pair('A', 0), std::pair('B', cut_free), std::pair('C', 1)})
+      EXPECT_EQ(names.find(name) != std::string::npos, body == cut_free) << name << " on " << cut_free << ": " << names;
+  }
+}
+
 }  // namespace names_test
 }  // namespace poinsot

@@ -281,7 +281,7 @@ TEST(Surfaces, the_name_of_a_block_does_not_stand_in_the_body_below_it) {
 }
 
 TEST(Surfaces, a_large_post_is_hatched_along_its_rim_and_has_room_within) {
-  for (const double radius : {1.0, 0.02}) {
+  for (const double radius : {1.0, 0.06}) {
     scene::Scene scene;
     scene.up = {0, 1, 0};
     scene.bodies = {{.name = "a", .mass = 1, .shapes = {particle_shape()}},

@@ -48,6 +48,23 @@ TEST(Arms, a_wheel_that_is_held_in_its_middle_has_none) {
   EXPECT_TRUE(arms_of(scene, 0).empty());
 }
 
+// Wheels and bearing of a small frame that stands far from the origin, to which no arm goes.
+TEST(Arms, of_a_frame_with_places_near_each_other_stay_among_them) {
+  scene::Scene scene;
+  scene.length = 300;
+  scene.bodies = {{.name = "frame", .massless = true}};
+  const Vector middle{300, 0, 0};
+  for (const double x : {-0.75, 0.75})
+    scene.symbols.push_back({.kind = scene::SymbolKind::contact,
+                             .name = "wheel",
+                             .to = 0,
+                             .place = {0, middle + Vector{x, 0, 0}},
+                             .axis = {0, 1, 0}});
+  scene.symbols.push_back(bearing(middle + Vector{0, 0.45, 0}));
+  for (const auto& arm : arms_of(scene, 0))
+    for (const Vector& end : arm) EXPECT_LT(norm(end - middle), 1);
+}
+
 // A frame between its head and its axle, with the rider above both.
 TEST(Arms, a_body_held_at_two_places_beside_its_center_is_a_frame_of_three_corners) {
   for (const double height : {1.0, 0.05}) {

@@ -188,5 +188,29 @@ ask: {H: momentum(bar)}
   EXPECT_NEAR(largest_fact_misfit(false_statement, sample).value(), 1.0 / 3, 0.2);
 }
 
+// A contact that is said not to slip, but to carry no friction: what follows a disturbance depends on which is meant.
+TEST(Checks, of_a_stability_that_nobody_asks_for_are_not_told_beside_other_answers) {
+  const std::string car = R"(
+points: {O: [0, 0, 0], G: [9 m, 0, 0.5 m], A: [10 m, 0, 0], B: [8 m, 0, 0]}
+frames: {road: {turns: z, rate: 0.2 rad/s}}
+bodies: {car: {mass: 1500 kg, center: G, inertia: {x: 400 kg*m^2, y: 900 kg*m^2, z: 1000 kg*m^2}}}
+contacts:
+  outer: {of: car, against: road, corner: A, normal: z, no_slip: true, carries: [push, x, y]}
+  inner: {of: car, against: road, corner: B, normal: z, no_slip: true, carries: [push]}
+steady: {frame: road}
+gravity: -z
+)";
+  const Solution push = solved(car + "ask: {N: normal_force(outer)}\n");
+  EXPECT_EQ(push.asks[0].state, AskState::found);
+  EXPECT_FALSE(push.checks.contains("stability"));
+  ASSERT_EQ(push.notes.size(), 1U);
+  EXPECT_EQ(push.notes[0],
+            "whether the steady motion is stable is not told: the motion of its bodies, each by itself, does not "
+            "confirm it");
+  const Solution stable = solved(car + "ask: {s: stable(car)}\n");
+  EXPECT_EQ(stable.asks[0].state, AskState::refused);
+  EXPECT_GT(stable.checks.at("stability"), 1e-3);
+}
+
 }  // namespace answer_checks_test
 }  // namespace poinsot::problem

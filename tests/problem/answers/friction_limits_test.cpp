@@ -8,6 +8,7 @@
 
 #include "problem/answers/solve_statement.h"
 #include "problem/language/diagnostic.h"
+#include "problem/plane/planar_statement.h"
 
 namespace poinsot::problem {
 namespace friction_limits_test {
@@ -54,13 +55,6 @@ TEST(FrictionLimits, of_one_contact_are_found_whatever_the_others_do) {
   // Pulled by the upper block, either the upper slips on the lower at rest, or the lower comes along first.
   EXPECT_NEAR(most(0.3, 0.2, "top", "sticking(mid)"), 0.3 * m * g, 1e-8 * all);
   EXPECT_NEAR(most(0.7, 0.1, "top", "sticking(mid)"), (0.7 - 0.1) * all * m / M, 1e-8 * all);
-}
-
-TEST(FrictionLimits, of_one_contact_among_several_are_refused_in_letters) {
-  std::string text = stack(2, 5, 0.3, 0.2, "low", "sticking(mid)");
-  text.replace(text.find("m: 2 kg, "), 9, "");
-  const std::string reason = refusal("letters: {m: kg}\n" + text);
-  EXPECT_NE(reason.find("what the other contacts do up to this limit"), std::string::npos) << reason;
 }
 
 TEST(FrictionLimits, that_lie_below_zero_are_not_told_as_zero) {
@@ -141,6 +135,23 @@ TEST(FrictionLimits, up_to_which_a_contact_touches_are_found_while_others_slide)
   const Solution solution = solved(text).solutions.at(0);
   EXPECT_NEAR(number(solution, 0), m * g * (b / 2 - mu * H / 2) / (h - H / 2), 1e-5);
   EXPECT_NEAR(number(solution, 1), m * (0.5 + mu * g), 1e-5);
+}
+
+// A block is pressed by a force that is found from the load on the floor: it slides from mu N on, and with more than an
+// acceleration from mu N + m a on.
+TEST(FrictionLimits, beside_a_load_that_is_found_at_each_value) {
+  const std::string text =
+      "plane: [x, y]\ngiven: {m: 2 kg, P: 1 N}\nfind: {Q: N}\npoints: {C: [0, 0]}\n"
+      "bodies: {block: {particle: C, mass: m}}\ncontacts: {floor: {of: block, at: C, normal: y, friction: 0.4}}\n"
+      "loads: {pull: {force: [P, 0], at: C, body: block}, press: {force: [0, -Q], at: C, body: block}}\ngravity: -y\n"
+      "instants: {now: {velocity(block): [0, 0], normal_force(floor): 30 N}}\n"
+      "ask: {most: {largest: P, while: sticking(floor)}, quick: {smallest: P, while: acceleration(block).x > 1 "
+      "m/s^2}}\n";
+  Statement statement = read_statement(text, "test.yaml");
+  restrict_to_plane(statement);
+  const Solution solution = solve_statement(statement, {}).solutions.at(0);
+  EXPECT_NEAR(number(solution, 0), 0.4 * 30, 1e-5);
+  EXPECT_NEAR(number(solution, 1), 0.4 * 30 + 2 * 1, 1e-5);
 }
 
 }  // namespace friction_limits_test

@@ -325,5 +325,19 @@ TEST(FrictionStates, of_three_on_each_other_do_not_depend_on_how_all_of_them_mov
     }
 }
 
+// Pulled harder than its floor holds, whatever the letters, a block slides: nothing is told of its rest.
+TEST(FrictionStates, that_assumptions_about_letters_exclude_are_none) {
+  const std::string text =
+      "letters: {m: kg, P: N, mu: 1}\nassume: [P > 2*mu*m*g, mu < 1]\npoints: {C: [0, 0, 0]}\n"
+      "bodies: {block: {particle: C, mass: m}}\ncontacts: {floor: {of: block, at: C, normal: y, friction: mu}}\n"
+      "loads: {pull: {force: [P, 0, 0], at: C, body: block}}\ngravity: -y\ninstants: {now: rest}\n"
+      "ask: {a: acceleration(block).x}\n";
+  const SolvedStatement found = solved(text);
+  ASSERT_EQ(found.solutions.size(), 1U);
+  ASSERT_TRUE(found.solutions[0].asks[0].formula) << found.solutions[0].asks[0].no_formula;
+  EXPECT_NEAR(value_at(found.solutions[0].asks[0].formula->number, {{"m", 2}, {"P", 40}, {"mu", 0.3}}), 20 - 0.3 * g,
+              1e-9);
+}
+
 }  // namespace friction_states_test
 }  // namespace poinsot::problem

@@ -101,5 +101,24 @@ TEST(ClaimEdges, AThinRodIsAnEdgeOfBodies) {
   }
 }
 
+// Along the motion a free body leaves the place in which it is drawn, where the spring happens to be relaxed and the
+// weight to have no moment.
+TEST(ClaimEdges, RatesAreThoseWhereverAFreeBodyMayBe) {
+  const auto claim = [](const std::string& text) {
+    const Statement statement = read_statement(
+        "title: t\nletters: {m: kg, k: N/m, L: m}\npoints: {O: [0, 0, 0], P: [L, 0, 0]}\n"
+        "bodies: {b: {particle: P, mass: m}, c: {particle: O, mass: m}}\n"
+        "springs: {s: {from: ground, at: O, to: b, end: P, stiffness: k, free_length: L}}\ngravity: -y\n"
+        "define: {E: kinetic_energy(b) + potential_energy(b) + potential_energy(s)}\nclaim: {a: \"" +
+            text + "\"}\n",
+        "claims.yaml");
+    return solve_statement(statement, {}).solutions.at(0).claims.at(0);
+  };
+  EXPECT_FALSE(claim("rate(momentum(b)).x == 0").holds);
+  EXPECT_FALSE(claim("rate(angular_momentum(c about O)) == 0").holds);
+  EXPECT_TRUE(claim("rate(momentum(c)).x == 0").proved);
+  EXPECT_TRUE(claim("E' == 0").holds);
+}
+
 }  // namespace claim_edges_test
 }  // namespace poinsot::problem

@@ -97,6 +97,49 @@ TEST(Claims, AssumptionsThatContradictEachOtherProveNothing) {
   EXPECT_EQ(solved.reason, "no values of the letters were found that satisfy what is assumed");
 }
 
+// The rate is meant in any pose, and fails as drawn as well: the counterexample names no pose.
+TEST(Claims, WhatFailsAsDrawnIsRefutedThere) {
+  const SolvedClaim solved = claim_of(R"(
+letters: {A: kg*m^2, B: kg*m^2, C: kg*m^2, u: rad/s, v: rad/s, w: rad/s}
+assume: [A < B, B < C]
+points: {G: [0, 0, 0]}
+bodies: {b: {mass: 1 kg, center: G, inertia: {x: A, y: B, z: C}}}
+facts: {angular_velocity(b): [u, v, w], velocity(b): 0}
+gravity: none
+define: {n: norm(angular_velocity(b))}
+claim: {a: "n' == 0"}
+)");
+  EXPECT_EQ(solved.state, AskState::found);
+  EXPECT_FALSE(solved.holds);
+  std::string names;
+  double w[3] = {}, I[3] = {};
+  for (const SolvedClaim::Datum& datum : solved.counterexample) {
+    names += datum.name;
+    if (names.size() <= 3) I[names.size() - 1] = datum.value;
+    if (names.size() > 3 && names.size() <= 6) w[names.size() - 4] = datum.value;
+  }
+  ASSERT_EQ(names, "ABCuvw");
+  // By Euler's equations.
+  const double rate = w[0] * w[1] * w[2] * ((I[1] - I[2]) / I[0] + (I[2] - I[0]) / I[1] + (I[0] - I[1]) / I[2]);
+  ASSERT_TRUE(solved.sides.has_value());
+  EXPECT_NEAR(solved.sides->first, rate / std::hypot(w[0], w[1], w[2]), 1e-9);
+}
+
+TEST(Claims, AnAssumptionThatGivenValuesBreakIsTold) {
+  const SolvedClaim solved = claim_of(R"(
+given: {m: 2 kg, L: 0.5 m, w: 3 rad/s}
+points: {O: [0, 0, 0], A: [0, -L, 0]}
+bodies: {bar: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: bar, rate: w}}
+gravity: -y
+claim: {a: {claim: kinetic_energy(bar) > 2 J, assume: [L > 1 m]}}
+)");
+  EXPECT_EQ(solved.state, AskState::undetermined);
+  EXPECT_EQ(solved.reason,
+            "what it assumes does not hold at the values that all letters have (leave letters open, or change their "
+            "values)");
+}
+
 TEST(Claims, WhatIsNotFixedIsNotDecided) {
   const SolvedClaim solved = claim_of(R"(
 letters: {m: kg, L: m}

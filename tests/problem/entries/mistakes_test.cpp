@@ -44,6 +44,16 @@ ask: {a: mass(disk)}
 )",
        "test.yaml:3:46: error: unknown key 'diameter' in a disk (did you mean 'radius'?)",
        {}},
+      {"ACordThatEndsOnTheGround",
+       R"(title: t
+points: {O: [0, 0, 0], A: [0, -0.5 m, 0]}
+bodies: {bob: {particle: A, mass: 1 kg}}
+cords: {c: {from: bob, at: A, to: ground, end: O}}
+ask: {a: mass(bob)}
+)",
+       "test.yaml:4:35: error: cord 'c' ends on the ground, where a cord begins (turn it round: from: ground, at: the "
+       "point there, over: the other way, to: and end: of the body)",
+       {}},
       {"ACordThatRebounds",
        R"(title: t
 points: {O: [0, 0, 0], A: [0, -0.5 m, 0]}
@@ -705,6 +715,25 @@ ask: {a: angular_momentum(disk about O)}
 )",
        "test.yaml:3:49: error: body 'disk': no rigid body has these moments: I_x + I_y >= I_z is broken: 2 + 3 < 7 kg "
        "m^2 (short by 2 kg m^2)",
+       {}},
+      {"MomentsThatNoBodyHasInTheUnitsOfTheFile",
+       R"(title: t
+points: {O: [0, 0, 0]}
+bodies: {disk: {weight: 3 lb, center: O, inertia: {x: 2 lb*ft*s^2, y: 3 lb*ft*s^2, z: 7 lb*ft*s^2}}}
+joints: {shaft: {revolute: y, at: O, to: disk, rate: 2 rad/s}}
+ask: {a: angular_momentum(disk about O)}
+)",
+       "test.yaml:3:51: error: body 'disk': no rigid body has these moments: I_x + I_y >= I_z is broken: 2 + 3 < 7 "
+       "lb*ft*s^2 (short by 2 lb*ft*s^2)",
+       {}},
+      {"ACordOfABody",
+       R"(title: t
+points: {O: [0, 0, 0], A: [0, 1 m, 0]}
+bodies: {p: {particle: O, mass: 3 kg}}
+cords: {c: {of: p, at: A, end: O}}
+ask: {a: acceleration(p)}
+)",
+       "test.yaml:4:13: error: unknown key 'of' in a cord (did you mean 'to'?)",
        {}},
       {"NegativeMoment",
        R"(title: t

@@ -11,6 +11,7 @@
 
 #include "poinsot/engine/math/trace/straight_line.h"
 #include "poinsot/engine/motion/mechanism/mechanism_dynamics.h"
+#include "problem/equations/rough_states.h"
 #include "problem/equations/traced_machine.h"
 #include "problem/language/tree.h"
 #include "problem/plane/planar_statement.h"
@@ -98,6 +99,50 @@ ask: {a: acceleration(crate)}
   } catch (const NoEquations& error) {
     EXPECT_TRUE(holds(error.what(), "contact 'edge' carries other forces")) << error.what();
   }
+}
+
+// Accelerations by the equations of a statement's first situation, in the state in which it is stated.
+std::vector<double> accelerations_at(const std::string& problem, const std::vector<double>& v) {
+  Statement statement = read_statement(problem, "x.yaml");
+  restrict_to_plane(statement);
+  const SituationInStates in = in_stated_states(statement, statement.situations.front(), {});
+  TracedMachine traced = traced_machine(in.situation, {}, "u");
+  std::vector<double> inputs(traced.state.q.size()), found(v.size());
+  for (std::size_t k = 0; k < inputs.size(); ++k) inputs[k] = traced.inputs[k].meaning.ends_with("quaternion w");
+  inputs.insert(inputs.end(), v.begin(), v.end());
+  inputs.resize(traced.inputs.size(), 0);
+  const TraceScope scope(traced.trace);
+  const std::vector<Traced> accelerations = solved_accelerations(
+      reduced_equations(equations_of_motion(traced.mechanism, traced.state), traced.held, traced.third));
+  StraightLine(traced.trace, accelerations).evaluate(inputs, found);
+  return found;
+}
+
+// A couple of friction Q in a ball joint, and a force F in a planar one, are against the whole of the slip.
+TEST(Equations, OfJointsThatSlipInAllWaysTurnTheirFriction) {
+  const std::vector<double> w{3, -4, 12};
+  const std::vector<double> turns = accelerations_at(
+      "given: {m: 2 kg, r: 0.5 m, Q: 0.3 N*m}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {globe: {sphere: {center: O, radius: r}, mass: m}}\njoints: {socket: {ball: O, to: globe, friction: "
+      "Q}}\n"
+      "gravity: none\nfacts: {angular_velocity(globe): [3 rad/s, -4 rad/s, 12 rad/s]}\nask: {T: "
+      "kinetic_energy(globe)}\n",
+      w);
+  ASSERT_EQ(turns.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(turns[k], -0.3 / (0.4 * 2 * 0.25) * w[k] / 13, 1e-12);
+  const std::vector<double> slides = accelerations_at(
+      "given: {m: 2 kg, r: 0.5 m, F: 5 N}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {puck: {disk: {center: O, normal: z, radius: r}, mass: m}}\n"
+      "joints: {table: {planar: z, at: O, to: puck, friction: F}}\ngravity: none\n"
+      "facts: {velocity(puck): [3 m/s, 4 m/s, 0], angular_velocity(puck): [0, 0, 1 rad/s]}\nask: {T: "
+      "kinetic_energy(puck)}\n",
+      {6, 8, 2});
+  ASSERT_EQ(slides.size(), 3U);
+  std::vector<double> sorted = slides;
+  std::ranges::sort(sorted);
+  EXPECT_NEAR(sorted[0], -5.0 / 2 * 0.8, 1e-12);
+  EXPECT_NEAR(sorted[1], -5.0 / 2 * 0.6, 1e-12);
+  EXPECT_NEAR(sorted[2], 0, 1e-12);
 }
 
 // Of all letters only some are a body's.

@@ -168,7 +168,7 @@ TEST(ScalingLaw, APowerOfAGroupIsFoundByTrial) {
   EXPECT_EQ(formula(let_go, "T"), "2*pi*sqrt(m/k)");
   // Thrown too, it rises until m u^2/2 = m g s + k s^2/2.
   const SolvedText thrown(spring + "gravity: -y\ninstants: {start: {s: 0, s': u}}\nask: {d: max(s)}\n");
-  EXPECT_EQ(formula(thrown, "d"), "(sqrt((g^2*m + k*u^2)*m) - g*m)/k");
+  EXPECT_EQ(formula(thrown, "d"), "(sqrt((m*g^2 + k*u^2)*m) - m*g)/k");
   const SolvedText level(spring + "gravity: none\ninstants: {start: {s: 0, s': u}}\nask: {d: max(s)}\n");
   EXPECT_EQ(formula(level, "d"), "u*sqrt(m/k)");
 }

@@ -123,5 +123,26 @@ ask: {s: position(block).x @ rests}
   }
 }
 
+// What is let go with the speed of a fall from h passes the top of its circle if h is more than twice the radius; to
+// look for that in vain takes longer than to find it.
+TEST(ToldConditions, what_is_asked_at_the_top_that_a_pendulum_may_not_reach) {
+  const SolvedText solved(R"(title: t
+letters: {m: kg, R: m, h: m}
+points: {O: [0, 0, 0]}
+bodies: {car: {particle: '[0, -R, 0]', mass: m}}
+joints: {arm: {revolute: z, at: O, to: car, angle: q}}
+gravity: -y
+instants: {start: {q: 0, q': sqrt(2*g*h)/R}, top: {first_time: q == 180 deg}}
+ask: {N: force(arm on car).y @ top}
+)");
+  ASSERT_TRUE(solved.ask("N").formula) << solved.ask("N").no_formula;
+  const std::vector<FormulaCondition>& grounds = solved.solved().solutions.at(0).grounds;
+  const auto condition = std::ranges::find_if(
+      grounds, [](const FormulaCondition& one) { return one.asks == std::vector<std::size_t>{0}; });
+  ASSERT_NE(condition, grounds.end());
+  for (const double h : {1.0, 3.99, 4.01, 9.0})
+    EXPECT_EQ(value_at(condition->positive, {{"m", 2}, {"R", 2}, {"h", h}}) > 0, h > 4) << h;
+}
+
 }  // namespace told_conditions_test
 }  // namespace poinsot::problem

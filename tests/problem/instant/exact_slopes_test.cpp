@@ -160,7 +160,7 @@ TEST(ExactSlopes, EveryDatumOfTheExamples) {
         try {
           const Value<double> value = scope.value(datum.value);
           if (known || !value.is_number() || value.number == 0) continue;
-          unknowns.push_back({datum.name, si_unit(value.dimension), false, datum.mark});
+          unknowns.push_back({.name = datum.name, .unit = si_unit(value.dimension), .mark = datum.mark});
           x.push_back(value.number);
         } catch (const StatementError&) {
           // It rests on an unknown.

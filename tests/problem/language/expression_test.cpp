@@ -389,6 +389,29 @@ TEST(Expression, SignsOfOtherPlaces) {
   for (const auto& [text, message] : table) EXPECT_EQ(failure(text), message) << text;
 }
 
+TEST(Expression, WordsThatJoinElsewhere) {
+  const std::pair<const char*, const char*> table[] = {
+      {"|v|",
+       "f:1:1: error: '|' is no sign of the language (the size of a vector is written norm(v), that of a number "
+       "abs(x))"},
+      {"angle(u and v)",
+       "f:1:9: error: 'and' is no word that joins the arguments of a call (the language says 'to' or 'with': write "
+       "angle(u to v))"},
+      {"I(b about x through O)",
+       "f:1:13: error: 'through' is no word that joins the arguments of a call (the language says 'at')"},
+      {"angle between u",
+       "f:1:7: error: 'between' is no word that joins the arguments of a call (the language says 'to': write angle(u "
+       "to "
+       "v))"},
+      {"velocity(b) after",
+       "f:1:13: error: 'after' cannot stand here (an instant stands behind '@': kinetic_energy(disk) @ after)"},
+      {"(u and v)",
+       "f:1:4: error: an operator is missing between 'u' and 'and' (write 'u*and' to multiply, 'u(and)' of "
+       "a quantity, or 'u_and' where both are one name)"},
+  };
+  for (const auto& [text, message] : table) EXPECT_EQ(failure(text), message) << text;
+}
+
 TEST(Expression, AListItemCutAtItsCommaIsExplained) {
   const Entry root = read_tree("a: [cross(u, v), 0, 0]\nb: [(u, v)]\n", "f");
   EXPECT_EQ(failure_of([&] { parse_expression(*root.find("a"), "f"); }),

@@ -168,20 +168,5 @@ TEST(SlippingCords, LimitsHaveFormulasInLetters) {
                 3 * std::exp(-0.4 * (pi / 2 + b)), 1e-12);
 }
 
-// Whether a crate tips or slides depends on where it is pulled: there is no one formula for the limit of both.
-TEST(SlippingCords, LimitsInPiecesHaveNone) {
-  const std::string crate =
-      "title: t\nplane: [x, y]\nletters: {m: kg, P: N, mu: 1, a: m, h: m}\n"
-      "points: {A: [0, 0], B: [a, 0], G: [a/2, h], T: [a, h]}\n"
-      "bodies: {crate: {mass: m, center: G, inertia: {z: m*a^2}}}\n"
-      "contacts: {left: {of: crate, corner: A, normal: y}, "
-      "right: {of: crate, corner: B, normal: y, friction: mu}}\n"
-      "loads: {pull: {force: [P, 0], at: T, body: crate}}\ngravity: -y\ninstants: {now: rest}\n"
-      "ask: {most: {largest: P, while: sticking(right)}}\n";
-  const std::string refusal = failure_of_text(crate);
-  EXPECT_NE(refusal.find("whether all contacts touch up to this limit is sought by numbers"), std::string::npos)
-      << refusal;
-}
-
 }  // namespace slipping_cords_test
 }  // namespace poinsot::problem

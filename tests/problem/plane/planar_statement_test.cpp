@@ -141,6 +141,22 @@ TEST(PlanarStatement, TakesListsInQuotesForVectors) {
 }
 
 // In questions, claims and conditions, too; there a list by itself is one of several things.
+TEST(PlanarStatement, TakesCornersInQuotes) {
+  const auto center = [](const std::string& corners) {
+    Statement statement = read_statement(
+        "plane: [x, y]\ngiven: {b: 3 m}\nbodies: {a: {polygon: [" + corners + "], mass: 1 kg}}\nask: {c: center(a)}\n",
+        "x.yaml");
+    restrict_to_plane(statement);
+    return solve_statement(statement, {}).solutions.at(0).asks.at(0).value.items;
+  };
+  for (const char* corners : {"'[0, 0]', '[b, 0]', '[b, 2*b]'", "[0, 0], [b, 0], [b, 2*b]"}) {
+    const auto parts = center(corners);
+    ASSERT_EQ(parts.size(), 2U) << corners;
+    EXPECT_NEAR(parts[0].number, 2, 1e-12) << corners;
+    EXPECT_NEAR(parts[1].number, 2, 1e-12) << corners;
+  }
+}
+
 TEST(PlanarStatement, TakesListsInQuestionsForVectors) {
   const auto found = answers(
       "title: t\nplane: [z, x]\npoints: {A: [3 m, 4 m]}\nbodies: {p: {particle: A, mass: 2 kg}}\ngravity: none\n"

@@ -310,6 +310,30 @@ TEST(SceneMarks, cords_do_not_turn_with_the_wheels_that_they_turn) {
   EXPECT_GT(compared, 100U);
 }
 
+// Bob and weight hang from the ends of a cord through two eyelets: at each time the links end on their bodies.
+TEST(SceneMarks, cords_keep_their_ends_on_their_bodies_as_they_move) {
+  const Document document = illustrated(
+      "title: t\npoints: {E: [0, 0, 0], F: [-2 m, 0, 0], A: [1 m, 0, 0], B: [-2 m, -2 m, 0]}\nbodies: {bob: {particle: "
+      "A, "
+      "mass: 1 kg}, weight: {particle: B, mass: 3 kg}}\ncords: {rope: {from: bob, at: A, over: [E, F], to: weight, "
+      "end: "
+      "B}}\ngravity: -y\ninstants: {start: rest}\nask: {v: velocity(weight).y @ 0.3 s}\n");
+  const scene::Scene& scene = scene_of(document);
+  const scene::Motion& motion = scene.motion.value();
+  std::size_t compared = 0;
+  for (const scene::MovingLink& moving : motion.links)
+    for (std::size_t k = 0; k < motion.times.size(); ++k) {
+      const scene::Link& link = scene.links.at(moving.link);
+      for (const auto& [place, at] : {std::pair(&link.from, moving.from[k]), std::pair(&link.to, moving.to[k])}) {
+        if (place->body < 0) continue;
+        const scene::Pose& pose = motion.poses[k][static_cast<std::size_t>(place->body)];
+        EXPECT_LE(norm(Vector(pose.R * place->at + pose.p - at)), 1e-9) << motion.times[k];
+        ++compared;
+      }
+    }
+  EXPECT_GT(compared, 20U);
+}
+
 TEST(SceneMarks, long_cords_are_cut_off_by_the_size_of_the_figure) {
   for (const double size : {0.01, 1.0, 300.0}) {
     const Document document =

@@ -219,6 +219,21 @@ TEST(Scene, of_every_example) {
   expect_motions_through_the_shown_positions_with_rigid_bodies();
 }
 
+TEST(Scene, a_coordinate_that_is_asked_for_is_plotted_once) {
+  const Document document = illustrated(R"(
+given: {m: 2 kg, L: 1 m}
+points: {O: [0, 0, 0], A: [L, 0, 0]}
+bodies: {rod: {rod: [O, A], mass: m}}
+joints: {pin: {revolute: z, at: O, to: rod, angle: q}}
+gravity: -y
+instants: {start: {q: 0 deg, q': 0}}
+ask: {there: q @ 0.2 s}
+)");
+  const auto& plots = document.solutions.at(0).scene->motion->plots;
+  ASSERT_EQ(plots.size(), 1U);
+  EXPECT_EQ(plots[0].name, "there");
+}
+
 TEST(Scene, what_is_asked_at_several_times_is_plotted_once) {
   const Document document = illustrated(R"(
 given: {m: 2 kg}

@@ -94,6 +94,42 @@ ask: {w: w}
       << none.warnings[0];
 }
 
+// Two of three jets would have to burn for a negative time.
+TEST(Where, a_root_below_zero_is_told_where_none_is_in_the_ranges) {
+  const std::string text = R"(
+find: {t: s, u: s, v: s}
+points: {G: [0, 0, 0]}
+bodies: {sat: {mass: 9 kg, center: G, inertia: {x: 2 kg*m^2, y: 3 kg*m^2, z: 4 kg*m^2}}}
+impulses:
+  roll: {body: sat, couple: [t*1 N*m, 0, 0]}
+  pitch: {body: sat, couple: [0, u*1 N*m, 0]}
+  yaw: {body: sat, couple: [0, 0, v*1 N*m]}
+gravity: none
+instants:
+  before: {angular_velocity(sat): [2 rad/s, 3 rad/s, -1 rad/s]}
+  after: {angular_velocity(sat): [0, 0, 0]}
+ask: {t: t}
+)";
+  const SolvedStatement none = solved(text);
+  EXPECT_TRUE(none.solutions.empty());
+  ASSERT_FALSE(none.warnings.empty());
+  EXPECT_NE(none.warnings[0].find("they hold with t = -4 s, u = -9 s, v = 4 s, but t and u are taken as not negative"),
+            std::string::npos)
+      << none.warnings[0];
+  // What the file itself excludes is not told as if it had been taken so.
+  const SolvedStatement excluded = solved("where: [t > 0 s]\n" + text);
+  ASSERT_FALSE(excluded.warnings.empty());
+  EXPECT_EQ(excluded.warnings[0].find("taken as not negative"), std::string::npos) << excluded.warnings[0];
+  const SolvedStatement allowed = solved("where: [t > -10 s, u > -10 s]\n" + text);
+  ASSERT_EQ(allowed.solutions.size(), 1U);
+  EXPECT_NEAR(allowed.solutions[0].asks[0].value.number, -4, 1e-12);
+  std::string of_either_sign = text;
+  of_either_sign.replace(text.find("{t: s, u: s"), 11, "{t: {signed: s}, u: {signed: s}");
+  const SolvedStatement either = solved(of_either_sign);
+  ASSERT_EQ(either.solutions.size(), 1U);
+  EXPECT_NEAR(either.solutions[0].asks[0].value.number, -4, 1e-12);
+}
+
 // One ask that the statement does not answer leaves the others.
 TEST(Motions, that_are_not_fixed_leave_the_other_asks) {
   const SolvedStatement all = solved(R"(

@@ -25,15 +25,23 @@ struct InvalidMassReport {
   Vector3<double> principal_moments;  // ascending, kg m^2; NaN where they were not computed
 };
 
+// The unit in which a message tells moments of inertia.
+struct MomentUnit {
+  double size = 1;  // kg m^2
+  std::string text = "kg m^2";
+};
+
+constexpr double usual_tolerance_of_moments = 1e-9;
+
 // Returns nothing if a body with these properties can exist. That includes rods and particles, some of whose moments
 // are zero, and thin plates, for which the triangle inequality is an equality. A moment may be short by `tolerance`
 // times the largest one.
 std::optional<InvalidMassReport> validate(const MassProperties<double>& body, std::string_view name,
-                                          double tolerance = 1e-9);
+                                          double tolerance = usual_tolerance_of_moments, const MomentUnit& unit = {});
 
 // The same for a tensor given with all nine entries, which must also be symmetric to `tolerance` of its largest entry.
 std::optional<InvalidMassReport> validate(double mass, const Vector3<double>& center,
                                           const Matrix3<double>& inertia_center, std::string_view name,
-                                          double tolerance = 1e-9);
+                                          double tolerance = usual_tolerance_of_moments, const MomentUnit& unit = {});
 
 }  // namespace poinsot

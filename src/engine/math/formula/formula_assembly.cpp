@@ -1,6 +1,7 @@
 // Products in the order in which people write them, with what is below the line inside of sums where that is shorter.
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <string_view>
 
@@ -41,20 +42,6 @@ int letter_rank(std::string_view name) {
   // A constant that stands by its digits is gravity, too (formula_constant.h).
   if (name == "g" || (name.front() >= '0' && name.front() <= '9')) return 1;
   return std::ranges::find(forces_and_masses, kind) != forces_and_masses.end() ? 0 : 2;
-}
-
-// Letters of one rank stand in the order of a dictionary.
-bool earlier(const FormPower& a, const FormPower& b) {
-  if (rank(a.base) != rank(b.base)) return rank(a.base) < rank(b.base);
-  if (rank(a.base) != 2) return false;
-  const std::string &x = a.base.text, &y = b.base.text;
-  if (letter_rank(x) != letter_rank(y)) return letter_rank(x) < letter_rank(y);
-  const auto folded = [](const std::string& name) {
-    std::string low = name;
-    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return low;
-  };
-  return folded(x) != folded(y) ? folded(x) < folded(y) : x < y;
 }
 
 void reduce(Integer& a, Integer& b) {
@@ -178,6 +165,25 @@ Form divided_term(const Form& term, const Integer& factor, const Integer& diviso
 
 }  // namespace
 
+// Letters of one rank stand in the order of a dictionary.
+bool stands_before(const FormPower& a, const FormPower& b) {
+  if (rank(a.base) != rank(b.base)) return rank(a.base) < rank(b.base);
+  if (rank(a.base) != 2) return false;
+  const std::string &x = a.base.text, &y = b.base.text;
+  // k alone is a stiffness or a coefficient of friction, squared a radius of gyration: k m g, but m k^2.
+  const auto place = [](const FormPower& power) {
+    constexpr int of_sizes = 2;
+    return stem(power.base.text) == "k" && std::abs(power.exponent) > 1 ? of_sizes : letter_rank(power.base.text);
+  };
+  if (place(a) != place(b)) return place(a) < place(b);
+  const auto folded = [](const std::string& name) {
+    std::string low = name;
+    for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return low;
+  };
+  return folded(x) != folded(y) ? folded(x) < folded(y) : x < y;
+}
+
 Form assembled_product(bool negative, Integer coefficient, Integer divisor, std::vector<FormPower> powers) {
   reduce(coefficient, divisor);
   if (fmpz_sgn(coefficient.get()) < 0) {
@@ -193,7 +199,7 @@ Form assembled_product(bool negative, Integer coefficient, Integer divisor, std:
     power.base = turned;
     negative = false;
   }
-  std::stable_sort(powers.begin(), powers.end(), earlier);
+  std::stable_sort(powers.begin(), powers.end(), stands_before);
   Form best = product_form(coefficient, divisor, powers);
 
   // A sum above the line may take what is below into its terms: 6 + r^2/L^2 for (6 L^2 + r^2)/L^2.
@@ -205,6 +211,9 @@ Form assembled_product(bool negative, Integer coefficient, Integer divisor, std:
   for (const FormPower& power : powers) {
     if (&power != &*sum) (power.exponent < 0 && !is_sum(power.base) ? below : others).push_back(power);
   }
+  // Letters alone below the terms leave fractions above the number, (x/a + y/b)/6: as long with the number in the
+  // terms, that is read with less trouble.
+  bool fractions_above_number = false;
   for (const bool with_number : {false, true}) {
     if (below.empty() && (!with_number || fmpz_is_one(divisor.get()))) continue;
     std::vector<Form> terms;
@@ -213,9 +222,12 @@ Form assembled_product(bool negative, Integer coefficient, Integer divisor, std:
     }
     std::vector<FormPower> changed = others;
     changed.push_back({sum_form(std::move(terms)), 1});
-    std::stable_sort(changed.begin(), changed.end(), earlier);
+    std::stable_sort(changed.begin(), changed.end(), stands_before);
     Form form = product_form(coefficient, with_number ? Integer(1) : divisor, changed);
-    if (operators(form) < operators(best)) best = std::move(form);
+    const int longer = operators(form) - operators(best);
+    if (longer > 0 || (longer == 0 && !fractions_above_number)) continue;
+    best = std::move(form);
+    fractions_above_number = !with_number && !fmpz_is_one(divisor.get());
   }
   // Decimals stand in the terms themselves: 2 r w^2/5 + 14.709975 for (16000 r w^2 + 588399)/40000.
   if (has_long_number(sum->base) && !(fmpz_is_one(coefficient.get()) && fmpz_is_one(divisor.get()))) {

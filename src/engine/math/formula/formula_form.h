@@ -50,6 +50,9 @@ struct FormPower {
 };
 Form product_form(const Integer& coefficient, const Integer& divisor, std::vector<FormPower> powers);
 
+// The order of factors in which people write a product: numbers, then letters as in m g L, functions, sums, roots.
+bool stands_before(const FormPower& a, const FormPower& b);
+
 // The same, minus that if `negative`, in the order in which people write it; coefficient and divisor of either sign.
 Form assembled_product(bool negative, Integer coefficient, Integer divisor, std::vector<FormPower> powers);
 

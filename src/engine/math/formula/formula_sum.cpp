@@ -32,20 +32,6 @@ Form united_root(const std::vector<Form>& roots) {
   return call_form("sqrt", product_form(number, Integer(1), powers));
 }
 
-int letter_rank(const Form& form) { return form.kind == Form::Kind::name ? (form.text == "pi" ? 0 : 1) : 2; }
-
-std::string folded(const std::string& name) {
-  std::string low = name;
-  for (char& c : low) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return low;
-}
-
-bool earlier(const FormPower& a, const FormPower& b) {
-  if (letter_rank(a.base) != letter_rank(b.base)) return letter_rank(a.base) < letter_rank(b.base);
-  if (letter_rank(a.base) == 2) return false;
-  return std::pair{folded(a.base.text), a.base.text} < std::pair{folded(b.base.text), b.base.text};
-}
-
 Form monomial_form(const Integer& coefficient, const Exponents& exponents, const std::vector<Form>& variables) {
   std::vector<FormPower> powers;
   std::vector<Form> roots;
@@ -57,7 +43,7 @@ Form monomial_form(const Integer& coefficient, const Exponents& exponents, const
       powers.push_back({variables[v], exponents[v]});
     }
   }
-  std::stable_sort(powers.begin(), powers.end(), earlier);
+  std::stable_sort(powers.begin(), powers.end(), stands_before);
   if (!roots.empty()) {
     Form root = roots.size() == 1 ? roots[0] : united_root(roots);
     const bool number = root.parts[0].kind == Form::Kind::number;
@@ -198,10 +184,10 @@ class SumWriter {
     for (std::size_t v = 0; v < n; ++v) {
       if (shared[v] != 0) powers.push_back({variables_[v], shared[v]});
     }
-    std::stable_sort(powers.begin(), powers.end(), earlier);
+    std::stable_sort(powers.begin(), powers.end(), stands_before);
     // Before sines and cosines, as the coefficient that it is.
     const auto place =
-        std::find_if(powers.begin(), powers.end(), [](const FormPower& q) { return letter_rank(q.base) == 2; });
+        std::find_if(powers.begin(), powers.end(), [](const FormPower& q) { return q.base.kind != Form::Kind::name; });
     powers.insert(place, squared_sine(rest).value_or(FormPower{rest, 1}));
     Form form = product_form(content, Integer(1), powers);
     return negative ? negative_form(std::move(form)) : form;
@@ -223,7 +209,7 @@ class SumWriter {
     const Factors factors = factored(p);
     std::vector<FormPower> powers;
     for (const auto& [base, exponent] : factors.powers) powers.push_back({shortest(base, depth + 1), exponent});
-    std::stable_sort(powers.begin(), powers.end(), earlier);
+    std::stable_sort(powers.begin(), powers.end(), stands_before);
     Integer size(factors.constant);
     fmpz_abs(size.get(), size.get());
     Form form = product_form(size, Integer(1), powers);

@@ -99,7 +99,8 @@ Scales natural_scales(const Mechanism<Scalar>& mechanism) {
     }
   });
   for (const Vector3<double>& a : points) scales.length = std::max(scales.length, norm(a - points.front()));
-  if (!(scales.length > 0)) scales.length = 1;
+  scales.has_length = scales.length > 0;
+  if (!scales.has_length) scales.length = 1;
   if (!(scales.mass > 0)) scales.mass = 1;
   return scales;
 }

@@ -44,9 +44,12 @@ TEST(FormulaText, PrintsWhatPeopleRecognise) {
       {"m*w^2*(1 + x)*(1 - x)/8", "m*w^2*(1 - x^2)/8"},
       {"r*sqrt(L^2 + r^2)/(L^2 + r^2)^2", "r/((L^2 + r^2)*sqrt(L^2 + r^2))"},
       {"0.4*m*r*w^2 + 14.709975*m", "m*(2*r*w^2/5 + 14.709975)"},
-      {"(sqrt(39.2266*m*L + x^2) - x)/(2*L)", "(sqrt(39.2266*L*m + x^2) - x)/(2*L)"},
+      {"(sqrt(39.2266*m*L + x^2) - x)/(2*L)", "(sqrt(39.2266*m*L + x^2) - x)/(2*L)"},
       {"(L*(w*cos(b) + x)^2 + r*w^2*(1 - cos(b)^2) + 2*g*m*cos(b))/2",
-       "(L*(w*cos(b) + x)^2 + r*w^2*sin(b)^2 + 2*g*m*cos(b))/2"},
+       "(L*(w*cos(b) + x)^2 + r*w^2*sin(b)^2 + 2*m*g*cos(b))/2"},
+      {"sin(b)*F - g*m*cos(b)", "F*sin(b) - m*g*cos(b)"},
+      {"k^2*m", "m*k^2"},
+      {"g*m*k", "k*m*g"},
       {"sin(a)^2*w", "w*sin(a)^2"},
       {"(1 - cos(2*a))*w", "2*w*sin(a)^2"},
       {"1 + cos(a)", "1 + cos(a)"},
@@ -67,6 +70,14 @@ TEST(FormulaText, PrintsWhatPeopleRecognise) {
       {"m*sin(25*pi/180)", "m*sin(5*pi/36)"},
       {"asin(w/2) + atan2(x, b)", "asin(w/2) + atan2(x, b)"}};
   for (const auto& [formula, expected] : formulas) EXPECT_EQ(text(read(formula)), expected) << formula;
+}
+
+// (5*W*s*v^2*(...)/g - 108*M*sin(a)/s - 90*M*cos(a)/s)/720 is as long, and is worse to read.
+TEST(FormulaText, HasNoFractionsAboveANumber) {
+  const std::string printed = text(read("W*s*v^2*(5*sin(a) - 6*cos(a))/(144*g) - 3*M*sin(a)/(20*s) - M*cos(a)/(8*s)"));
+  EXPECT_EQ(printed.find("720"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("W*s*v^2*"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("/(144*g)"), std::string::npos) << printed;
 }
 
 // The count by which formulas of books are compared with these: half as long again and two is the limit.

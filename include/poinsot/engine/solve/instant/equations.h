@@ -22,9 +22,10 @@ namespace poinsot::solve {
 
 // The units in which equations of different dimensions are compared.
 struct Scales {
-  double length = 1;  // m
-  double mass = 1;    // kg
-  double time = 1;    // s
+  double length = 1;       // m
+  double mass = 1;         // kg
+  double time = 1;         // s
+  bool has_length = true;  // whether the figure has one: that of particles in one place is taken as 1 m
 };
 
 // The natural units of a mechanism: the extent of its points, its largest mass, and the time that belongs to its
