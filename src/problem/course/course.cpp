@@ -157,7 +157,8 @@ std::optional<solve::Scales> Course::own_scales(const When& begins) const {
   const std::optional<SolvedInstant::WayOfChange> way = pushed.way_of_change();
   // Within a thousandfold the metre serves as well, also where what slows down in air goes on for long.
   constexpr double serves = 1e3;
-  if (!way || (way->length <= serves * scales.length && !(way->slows && situation_.has_friction()))) return std::nullopt;
+  if (!way || (way->length <= serves * scales.length && !(way->slows && situation_.has_friction())))
+    return std::nullopt;
   scales.length = way->length;
   return scales;
 }
