@@ -268,11 +268,11 @@ std::string customary_call(std::string_view word, const std::vector<std::string>
 
 std::string customary_joining(std::string_view word) {
   constexpr std::array joining{
-      Custom{"and", "to' or 'with"}, Custom{"through", "at"},      Custom{"around", "about"},
-      Custom{"round", "about"},      Custom{"for", "of"},          Custom{"in", "of' or 'along"},
-      Custom{"onto", "along"},       Custom{"toward", "along"},    Custom{"towards", "along"},
-      Custom{"between", "to"},       Custom{"wrt", "relative to"}, Custom{"against", "on"},
-      Custom{"upon", "on"}};
+      Custom{"and", "'to' or 'with'"}, Custom{"through", "'at'"},      Custom{"around", "'about'"},
+      Custom{"round", "'about'"},      Custom{"for", "'of'"},          Custom{"in", "'of' or 'along'"},
+      Custom{"onto", "'along'"},       Custom{"toward", "'along'"},    Custom{"towards", "'along'"},
+      Custom{"between", "'to'"},       Custom{"wrt", "'relative to'"}, Custom{"against", "'on'"},
+      Custom{"upon", "'on'"}};
   const auto found = std::ranges::find(joining, word, &Custom::elsewhere);
   return found == joining.end() ? "" : std::string(found->here);
 }

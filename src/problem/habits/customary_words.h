@@ -12,7 +12,8 @@ namespace poinsot::problem {
 std::string customary_key(std::string_view word, const std::vector<std::string>& known);
 // The unit of a quantity that is named in its place: kg of "mass"; "" if it names none.
 std::string customary_unit_of(std::string_view quantity);
-// The words by which the language joins what another word joins elsewhere: "at" for "through"; "" if there is none.
+// The words by which the language joins what another word joins elsewhere, in quotes: 'at' for "through"; "" if
+// there is none.
 std::string customary_joining(std::string_view word);
 std::string customary_call(std::string_view word, const std::vector<std::string>& known);
 

@@ -127,7 +127,7 @@ void fail_left_over(const ExpressionSource& source, const TokenReader& tokens, b
     const std::string of = in_call ? function : tokens.at_beginning() ? "" : tokens.before().text;
     if (const std::string form = known_form(of); in_call ? !function.empty() : !form.empty())
       source.fail(token.begin, here + " is no word that joins the arguments of a call",
-                  "the language says '" + customary + "'" + (form.empty() ? "" : ": write " + form));
+                  "the language says " + customary + (form.empty() ? "" : ": write " + form));
   }
   for (const std::string_view instant : {"after", "before", "at", "when", "during"})
     if (!in_call && !tokens.at_beginning() && token.kind == Token::Kind::name && token.text == instant)

@@ -286,10 +286,11 @@ class LimitSearch {
   }
 
   // What is positive wherever all the others are need not be told, nor what is so for all letters that are assumed:
-  // as far as letters show that lie all over six decades around these.
+  // as far as letters show that lie all over six decades around these. Where too few of them tell it stays: to be told
+  // once more than it must be is no fault, to be left out where it matters would be one.
   void drop_implied(LimitFormula& found, const LetterValues& letters) const {
     std::vector<Formula>& positive = found.positive;
-    constexpr std::size_t points = 600, enough = 20;
+    constexpr std::size_t points = 3000, enough = 300;
     const LetterScan scan(open_but_the_end(), letters);
     std::vector<LetterValues> assumed;
     for (std::size_t n = 0; n < points; ++n) {
