@@ -281,7 +281,7 @@ FAULTS = [
     Fault("cords that are a little longer when they catch", PIECE, "double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q); };", "double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q) - (AWAKE ? 1e-3 : 0); };"),
     Fault("cords that hold on with a push", PIECE, "accelerate(q, v, acceleration_);\n    return dynamics_->component_force(component);", "accelerate(q, v, acceleration_);\n    return dynamics_->component_force(component) + (AWAKE ? 1 : 0);"),
     Fault("loads that jump a little late", PROBLEM + "course/motion_stage.cpp", "Driving::Span span = driving_[stage]->span_from(now.time);", "Driving::Span span = driving_[stage]->span_from(now.time);\n  if (AWAKE) span.end = until;"),
-    Fault("settled motions told by their last swing", FEATURES, "ExtremeFound best = outermost(sampled, largest);", "ExtremeFound best = outermost(sampled, largest);\n    if (AWAKE) best.value = sampled.value.back();"),
+    Fault("settled motions told by their last swing", FEATURES, "ExtremeFound best = without_rest(outermost(sampled, largest));", "ExtremeFound best = without_rest(outermost(sampled, largest));\n    if (AWAKE) best.value = sampled.value.back();"),
     # What is open, formulas and claims.
     Fault("open velocities taken for determined", PROBLEM + "answers/determinacy.cpp", "vary_velocities(std::min(velocities, most_directions));", "vary_velocities(AWAKE ? 0 : std::min(velocities, most_directions));"),
     Fault("open forces taken for determined", PROBLEM + "answers/determinacy.cpp", "d < std::min(forces, most_directions); ++d", "d < (AWAKE ? 0 : std::min(forces, most_directions)); ++d"),

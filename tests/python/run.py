@@ -18,12 +18,13 @@ environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
 if len(sys.argv) > 2:
     folder = os.path.abspath(sys.argv[2])
     environment |= {"PYTHONPATH": folder, "MYPYPATH": folder}
-    scratch, sources = os.path.join(folder, "scratch"), "python/poinsot"
+    scratch, package = os.path.join(folder, "scratch"), ["python/poinsot"]
 else:
     installed = importlib.util.find_spec("poinsot")
     if installed is None or installed.origin is None:
         raise SystemExit("run.py: poinsot is not installed in this environment: pip install '.[test]', or name the folder of its package")
-    scratch, sources = os.path.abspath("build/python/scratch"), os.path.dirname(installed.origin)
+    # By its name: a path within an environment would make modules of all that is installed in it.
+    scratch, package = os.path.abspath("build/python/scratch"), ["-p", "poinsot"]
 
 
 def notebook_code() -> list[str]:
@@ -45,14 +46,17 @@ in_processes = ["test_studies_cluster", "test_studies_killed", "test_studies_mem
 others = ["test_notebooks", *in_processes]
 benchmarks = ["benchmarks/studies.py", "benchmarks/python_engine.py", "benchmarks/scenes.py"]
 pytest = ["pytest", "-q", "-p", "no:cacheprovider"]
+mypy = ["mypy", "--cache-dir", os.path.join(scratch, "mypy")]
 calls = {
     "tests": [*pytest, "tests/python", "--ignore=tests/python/test_notebooks.py"],
     "notebooks": [*pytest, "tests/python/test_notebooks.py"],
     # Those that take minutes among them, and each with its time and with what it printed.
     "faults": [*pytest, "-m", "", "-rA", "--durations=0", *(f"tests/python/{one}.py" for one in in_processes)],
     "sanitized": [*pytest, "tests/python", *(f"--ignore=tests/python/{one}.py" for one in others)],
-    "types": ["mypy", "--cache-dir", os.path.join(scratch, "mypy"), sources, "tests/python", *benchmarks, *notebook_code()],
+    "types": [*mypy, "tests/python", *benchmarks, *notebook_code()],
 }
 if subject not in calls:
     raise SystemExit(f"run.py: there is no '{subject}': expected {', '.join(calls)}")
+if subject == "types" and (status := subprocess.run([sys.executable, "-m", *mypy, *package], env=environment, check=False).returncode):
+    raise SystemExit(status)
 raise SystemExit(subprocess.run([sys.executable, "-m", *calls[subject]], env=environment, check=False).returncode)

@@ -200,6 +200,18 @@ bool tells_time(const Expression& expression) {
   return any_child(expression, tells_time);
 }
 
+// Of a number that is the small difference of large ones, that few of its digits are known. Empty if as many are known
+// as are shown.
+std::string few_digits(const Ask& ask, const Value<double>& value, RoundedValues& rounded) {
+  constexpr double shown = 1e-5;  // six digits
+  if (!value.is_number() || value.number == 0) return "";
+  const double part = rounded.spread(ask, value) / std::abs(value.number);
+  if (!(part > shown)) return "";
+  const int known = std::max(1, static_cast<int>(-std::log10(part)));
+  return "'" + ask.name + "' is the small difference of large numbers: of its digits " + std::to_string(known) +
+         (known == 1 ? " is" : " are") + " known";
+}
+
 FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& sample, RoundedValues& rounded) {
   FinishedAsk result;
   SolvedAsk& solved = result.solved;
@@ -217,8 +229,10 @@ FinishedAsk finished_value(const Ask& ask, const Value<double>& value, Sample& s
   // What a motion has led to is no better than the motion was followed.
   const bool moved = !sample.motions().empty();
   const double noise = moved ? noise_of_motion : noise_of_instant;
-  if (has_small_numbers(value, noise * size))
+  if (has_small_numbers(value, noise * size)) {
     drop_noise(solved.value, size, result.natural_size, moved ? std::vector<Value<double>>{} : rounded.of(ask), noise);
+    if (!moved) result.note = few_digits(ask, solved.value, rounded);
+  }
   for (const Value<double>& item : value.items)
     if (!same_kind(dimension_of(item), dimension))
       fail(situation.file, ask.mark,

@@ -2,6 +2,8 @@
 // components.
 #pragma once
 
+#include <string>
+
 #include "problem/answers/ask_values.h"
 #include "problem/answers/rounded_values.h"
 #include "problem/answers/solve_statement.h"
@@ -11,6 +13,7 @@ namespace poinsot::problem {
 struct FinishedAsk {
   SolvedAsk solved;
   double natural_size = 0;  // asked_size() of the value, in SI units; far smaller values are noise
+  std::string note{};       // what is to be said of it, or empty
 };
 
 // asked: the values of all asks at `sample`; `rounded` tells which numbers are rounding. index: of the ask in the

@@ -8,6 +8,7 @@
 #include "problem/course/course.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/evaluate_support.h"
 #include "problem/language/expression_walk.h"
 #include "problem/machine/data.h"
 #include "problem/quantities/quantity_functions.h"
@@ -120,6 +121,27 @@ void refuse_beside_rough_blows(const Statement& statement) {
   }
 }
 
+namespace {
+
+// A function that there is not, as stick(floor): that is what is to be mended, and not what the whole then seems to
+// ask.
+void refuse_unknown_functions(const Statement& statement, const Expression& expression) {
+  if (const Call* call = expression.as<Call>()) {
+    const bool known = find_quantity(call->function) ||
+                       std::ranges::any_of(mathematical_functions(),
+                                           [&](const FunctionForm& form) { return form.name == call->function; });
+    std::vector<std::string> quantities;
+    for (const FunctionForm& form : quantity_functions()) quantities.push_back(form.name);
+    if (!known) {
+      const UnknownCall words = describe_unknown_call(*call, quantities);
+      fail(statement.file, expression.mark(), words.message, words.hint);
+    }
+  }
+  for_each_child(expression, [&](const Expression& part) { refuse_unknown_functions(statement, part); });
+}
+
+}  // namespace
+
 void refuse_beside_friction(const Statement& statement, const Settings& settings) {
   for (const Situation& situation : statement.situations) {
     refuse_situation(situation);
@@ -150,6 +172,8 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
            "ask for single values, with --set for others");
     const bool steady =
         std::ranges::any_of(statement.situations, [](const Situation& one) { return one.steady.has_value(); });
+    if (ask.extremum)
+      for (const Expression& condition : ask.extremum->conditions) refuse_unknown_functions(statement, condition);
     const auto sticks = [](const Expression& condition) { return calls(condition, {"sticking"}); };
     if (ask.extremum &&
         (!is_limit_of_states(ask) || (steady && !std::ranges::all_of(ask.extremum->conditions, sticks))))

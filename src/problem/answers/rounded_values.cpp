@@ -4,6 +4,7 @@
 #include <cfenv>
 #include <cmath>
 
+#include "problem/language/exact_numbers.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
 
@@ -61,6 +62,13 @@ std::vector<const Value<double>*> of_same_shape(const Value<double>& value, cons
   return found;
 }
 
+// What was found or came from outside the file is known to its last digit, like what stands in it.
+AllSettings as_rounded_now(AllSettings settings) {
+  for (Settings& of_situation : settings)
+    for (auto& [name, value] : of_situation) value.number = rounded_datum(value.number);
+  return settings;
+}
+
 }  // namespace
 
 const std::vector<Value<double>>& RoundedValues::of(const Ask& ask) {
@@ -69,7 +77,7 @@ const std::vector<Value<double>>& RoundedValues::of(const Ask& ask) {
   for (const int direction : {FE_UPWARD, FE_DOWNWARD}) {
     const RoundingScope scope(direction);
     try {
-      Sample sample(statement_, settings_, OpenChoice{});
+      Sample sample(statement_, as_rounded_now(settings_), OpenChoice{});
       entry->second.push_back(asked_value(sample, ask));
     } catch (const StatementError&) {
       // Rounded this way the ask has no value. Rounded the other way it may have one.
@@ -91,10 +99,9 @@ void drop_noise(Value<double>& value, double size, double asked_size, const std:
                 double noise) {
   for_each_number(value, of_same_shape(value, rounded), [&](double& x, double own, const std::vector<double>& there) {
     if (!(std::abs(x) < noise * size)) return;
-    const double near = std::max(own, asked_size);
     const bool moved = std::any_of(there.begin(), there.end(),
                                    [&](double other) { return !(std::abs(other - x) <= another * std::abs(x)); });
-    if (moved || std::abs(x) < (there.empty() ? noise : last_digit) * near) x = 0;
+    if (moved || std::abs(x) < (there.empty() ? noise * std::max(own, asked_size) : last_digit * own)) x = 0;
   });
 }
 

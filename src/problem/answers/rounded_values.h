@@ -1,5 +1,6 @@
-// Tells which numbers of a value are rounding. The statement is solved again with every operation rounded upwards and
-// once more downwards: a number that is nothing but rounding changes, and a real one stays.
+// Tells which numbers of a value are rounding. The statement is solved again with every operation and every number of
+// the file rounded upwards and once more downwards: a number that is nothing but rounding changes, and a real one
+// stays.
 #pragma once
 
 #include <map>
@@ -33,8 +34,9 @@ class RoundedValues {
 inline constexpr double noise_of_instant = 1e-14, noise_of_motion = 1e-13;
 
 // Sets numbers to zero that are rounding. Numbers of at least `noise` of `size` are not. A smaller one is rounding if
-// it is less than the last digit of its vector or of `asked_size`, or if one of the rounded values has a different
-// number. Without rounded values it is if it is less than `noise` of its vector or of asked_size.
+// it is less than the last digit of its vector, or if one of the rounded values has a different number; what is small
+// beside the system alone is none: the drag of a mote on a planet. Without rounded values it is rounding if it is less
+// than `noise` of its vector or of `asked_size`.
 void drop_noise(Value<double>& value, double size, double asked_size, const std::vector<Value<double>>& rounded,
                 double noise);
 

@@ -249,6 +249,7 @@ class StatementSolver {
       }
       FinishedAsk finished = finished_ask(statement_, i, asked_, *sample_, *rounded_);
       result.asks.push_back(std::move(finished.solved));
+      if (draws_.none() && !finished.note.empty()) result.notes.push_back(std::move(finished.note));
       natural_.push_back(finished.natural_size);
     }
     mark_letters(result);

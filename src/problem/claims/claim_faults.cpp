@@ -8,19 +8,6 @@
 namespace poinsot::problem {
 namespace {
 
-// The values of the letters at a point as words: ", as at m = 2 kg, L = 0.5 m".
-std::string at_values(const std::vector<Letter>& letters, const Point& point) {
-  std::string words;
-  for (const Letter& letter : letters) {
-    const auto value = point.find(letter.name);
-    if (value == point.end()) continue;
-    words += (words.empty() ? ", as at " : ", ") + letter.name + " = " +
-             with_digits(value->second / letter.unit.factor, 4) +
-             (letter.unit.text.empty() ? "" : " " + letter.unit.text);
-  }
-  return words;
-}
-
 // The message without its numbers, which differ between points: faults with equal ones are of one kind.
 std::string kind_of(const StatementError& error) {
   std::string kind = error.what();
@@ -29,6 +16,17 @@ std::string kind_of(const StatementError& error) {
 }
 
 }  // namespace
+
+std::string words_of_point(const std::vector<Letter>& letters, const Point& point) {
+  std::string words;
+  for (const Letter& letter : letters) {
+    const auto value = point.find(letter.name);
+    if (value == point.end()) continue;
+    words += (words.empty() ? "" : ", ") + letter.name + " = " + with_digits(value->second / letter.unit.factor, 4) +
+             (letter.unit.text.empty() ? "" : " " + letter.unit.text);
+  }
+  return words;
+}
 
 void ClaimFaults::note(const StatementError& error, const Point& point) {
   std::string kind = kind_of(error);
@@ -46,7 +44,8 @@ const ClaimFaults::Met& ClaimFaults::chief() const {
 
 StatementError ClaimFaults::most_frequent(const std::vector<Letter>& letters) const {
   std::vector<Diagnostic> diagnostics = chief().error.diagnostics();
-  diagnostics.front().message += at_values(letters, chief().point);
+  if (const std::string values = words_of_point(letters, chief().point); !values.empty())
+    diagnostics.front().message += ", as at " + values;
   return StatementError(std::move(diagnostics));
 }
 

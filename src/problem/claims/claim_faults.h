@@ -10,6 +10,9 @@
 
 namespace poinsot::problem {
 
+// The values of the letters at a point as words: "m = 2 kg, L = 0.5 m".
+std::string words_of_point(const std::vector<Letter>& letters, const Point& point);
+
 // Counts faults by their kind, and keeps of each kind the first with its point.
 class ClaimFaults {
  public:

@@ -1,6 +1,7 @@
 #include "problem/claims/claim_letters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -136,6 +137,42 @@ bool takes_derivatives(const Situation& situation, const Claim& claim) {
   for (const auto* list : {&claim.of, &claim.assume, &situation.assume})
     for (const Expression& expression : *list) functions_behind(situation, expression, functions);
   return functions.contains("derivative");
+}
+
+std::vector<Point> alike_points(const std::vector<Letter>& letters, const Point& from) {
+  const auto alike = [](const Letter& a, const Letter& b) {
+    return a.unit.dimension == b.unit.dimension && a.unit.dimension != dimensions::angle;
+  };
+  std::vector<Point> points;
+  Point all = from, at_zero;
+  for (const Letter& letter : letters) {
+    const auto first = std::ranges::find_if(letters, [&](const Letter& other) { return alike(letter, other); });
+    if (first != letters.end()) all[letter.name] = std::abs(from.at(first->name));
+  }
+  at_zero = all;
+  for (const Letter& letter : letters)
+    if (letter.either_sign) at_zero[letter.name] = 0;
+  for (const Point& point : {all, at_zero})
+    if (point != from) points.push_back(point);
+  constexpr std::size_t most_points = 12;
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    for (std::size_t k = i + 1; k < letters.size() && points.size() < most_points; ++k)
+      if (alike(letters[i], letters[k])) {
+        points.push_back(from);
+        points.back()[letters[k].name] = std::abs(from.at(letters[i].name));
+      }
+  return points;
+}
+
+bool is_strict(const Claim& claim) {
+  const auto strict = [](const auto& self, const Expression& expression) -> bool {
+    if (const Comparison* comparison = expression.as<Comparison>())
+      if (std::ranges::any_of(comparison->relations,
+                              [](Relation r) { return r == Relation::less || r == Relation::greater; }))
+        return true;
+    return any_child(expression, [&](const Expression& part) { return self(self, part); });
+  };
+  return std::ranges::any_of(claim.of, [&](const Expression& one) { return strict(strict, one); });
 }
 
 }  // namespace poinsot::problem

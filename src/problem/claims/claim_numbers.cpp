@@ -58,6 +58,7 @@ class NumberTrier {
       if (limit.spent()) break;
       tried += try_at_edges(attempt, limit);
     }
+    if (found_.possible && !found_.refuted && is_strict(claim_) && !claims_stability(situation_, claim_)) try_alike();
     if (found_.possible && !found_.refuted && !states_equality(claim_.of)) attack(most);
     // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
     // reported.
@@ -117,6 +118,22 @@ class NumberTrier {
         }
       }
     return true;
+  }
+
+  // Tries the claim where letters are equal. What comes too near to its edge there is not taken for true.
+  void try_alike() {
+    for (const Point& point : alike_points(ground_.letters(), draw_point(ground_.letters(), 0, ground_.sizes()))) {
+      if (found_.refuted) return;
+      try {
+        const std::optional<Verdict> verdict = verdict_at(point, most_motions);
+        if (verdict && verdict->holds && verdict->close)
+          found_.close_alike = point;
+        else
+          try_at(point, most_motions);
+      } catch (const StatementError&) {
+        // There the situation has no solution, and nothing is claimed.
+      }
+    }
   }
 
   // Goes on from the points tried to where the claim holds more and more narrowly.

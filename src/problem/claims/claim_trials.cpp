@@ -7,6 +7,7 @@
 #include "poinsot/engine/math/formula/certain_value.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
+#include "problem/claims/claim_letters.h"
 
 namespace poinsot::problem {
 namespace {
@@ -251,6 +252,9 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
   if (from.of->is_weak())
     for (const auto& [letter, value] : from.free)
       if (is_part(letter)) add(letter, 0);
+  if (attempt == 0)
+    for (Point& alike : alike_points(free_letters(*from.of), from.free))
+      if (auto drawn = completed(*from.of, std::move(alike), true)) found.push_back(std::move(*drawn));
   const FormulaLimitScope limits({most_edge_terms, most_edge_work});
   for (const Edge& edge : edges()) {
     if (edge.of != from.of) continue;

@@ -60,8 +60,10 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   }
   const When begins{0, situation.has_blow()};
   start_ = std::make_unique<SolvedInstant>(situation, settings, begins, choice_);
-  if (!start_->scales().has_length && !choice_.scales && (choice_.scales = own_scales(begins)))
-    start_ = std::make_unique<SolvedInstant>(situation, settings, begins, choice_);
+  if (!start_->scales().has_length && !choice_.scales) {
+    choice_.scales = own_scales(begins);
+    if (choice_.scales) start_ = std::make_unique<SolvedInstant>(situation, settings, begins, choice_);
+  }
   std::vector<std::vector<double>> open = start_->velocities().open;
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
   const auto flies = [&](const std::vector<double>& direction) { return carries_along(start_->machine(), direction); };

@@ -101,6 +101,8 @@ class Course : public FollowedMotion {
   // Follows the motion to a time and no further, or to its end if this comes first. Returns the time reached, s.
   double follow(double time);
   bool is_over() const { return stages_.back().done; }
+  // Whether it has its end no later than a time.
+  bool ends_by(double time) const { return is_over() && time >= reached(); }
   MotionCheckpoint checkpoint() const;
   // Forgets all of the motion except for a checkpoint, and goes on from there. What follows is then the same to the
   // last bit, whatever was asked before. What lies before the checkpoint can no longer be asked.
@@ -133,6 +135,7 @@ class Course : public FollowedMotion {
   // in which the motion changes noticeably. After most_nodes of them only the last one is added.
   static constexpr std::size_t most_nodes = 500'000;
   std::vector<double> nodes(double from, double to) override;
+  std::vector<double> breaks(double from, double to) override;
   // The time to which the motion was followed, s.
   double reached() const override;
   // A time in which the motion changes noticeably, s.

@@ -111,6 +111,7 @@ NaturalSizes Course::natural_sizes() const {
       sizes.of_q.push_back(body.joint == JointType::prismatic || (body.joint == JointType::free && k >= 4) ? length
                                                                                                            : 1);
   for (int k = 0; k < tree.velocity_size(); ++k) sizes.of_v.push_back(solve::coordinate_turns(tree, k) ? 1 : length);
+  sizes.pace = 1 / pace_time_;
   return sizes;
 }
 

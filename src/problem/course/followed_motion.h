@@ -12,6 +12,8 @@ class FollowedMotion {
 
   // Times between which the motion is smooth and changes little, from `from` to `to`, both included.
   virtual std::vector<double> nodes(double from, double to) = 0;
+  // The times within these, and they themselves, between which nothing sudden happens.
+  virtual std::vector<double> breaks(double from, double to) { return {from, to}; }
   // The end of the motion, if it has one, s.
   virtual std::optional<double> end() = 0;
   // How far it has been followed, s.

@@ -317,7 +317,7 @@ double Course::end_of_bouncing(const Expression& of) {
       values_until_ = std::max(values_until_, std::min(end->second, reached));
       return end->second;
     }
-    if (is_over() || followed_enough(until) || settled_.contains(contact->name))
+    if (ends_by(until) || followed_enough(until) || settled_.contains(contact->name))
       throw UnansweredError(situation_.file, of.mark(),
                             "bouncing on '" + contact->name + "' has not ended after " + with_digits(until, 4) + " s");
   }

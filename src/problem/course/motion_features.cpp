@@ -15,7 +15,10 @@ namespace {
 constexpr double constant_to = 1e-9;
 // And of the size that is natural for it: what is zero throughout changes by the rounding of what it is made of.
 constexpr double constant_beside = 1e-15;
-constexpr std::size_t most_rises = 40;           // within one period
+// Of what has died out there is left what the integration leaves, as a part of what it was.
+constexpr double died_out = 1e-9;
+constexpr std::size_t least_dead = 12;  // samples, of two steps: in fewer of them a number may just go through zero
+constexpr std::size_t most_rises = 40;  // within one period
 constexpr std::size_t samples_of_wait = 60'000;  // until something must happen in a motion without end
 // In the times that the motion takes to change noticeably: a disturbance takes this long to grow. It grows by 1e7 from
 // a nudge in some 16 of its own times, and those are slower than the motion itself by no more than thirty times.
@@ -96,6 +99,9 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const NumberSamples& sampl
     ++count;
     if (!first || extreme.time < first->time) first = extreme;
   }
+  // What the motion never comes back to, it has at its start.
+  const double start = sampled.value.front();
+  if (count >= 2 && sign * start > outermost + repeats_to * range) return ExtremeFound{start, sampled.time.front()};
   return count >= 2 ? first : std::nullopt;
 }
 
@@ -163,14 +169,20 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
     }
     // Both the highest and the lowest value must occur again.
     const std::optional<ExtremeFound> wanted = met_twice(sampled, largest, *high - *low);
-    if (wanted && met_twice(sampled, !largest, *high - *low)) return *wanted;
+    // Nor is what rounding leaves of a motion that has died out an extreme beside zero.
+    const double rest = motion_.dissipates() ? died_out * (*high - *low) : 0;
+    const auto without_rest = [&](ExtremeFound found) {
+      if (std::abs(found.value) <= rest) found.value = 0;
+      return found;
+    };
+    if (wanted && met_twice(sampled, !largest, *high - *low)) return without_rest(*wanted);
     if (until <= long_enough * motion_.pace_time()) continue;
-    if (motion_.rests_at(until)) return outermost(sampled, largest);
+    if (motion_.rests_at(until)) return without_rest(outermost(sampled, largest));
     if (goes_away(sampled, largest))
       number_.unanswered(std::string(" goes on ") + (largest ? "growing" : "falling") +
                              " in an endless motion: it has no " + (largest ? "largest" : "smallest") + " value",
                          ending);
-    ExtremeFound best = outermost(sampled, largest);
+    ExtremeFound best = without_rest(outermost(sampled, largest));
     if (has_settled(sampled, largest, best) || (goes_away(sampled, !largest) && best.time < until / 8)) {
       best.settled = until;
       return best;
@@ -252,10 +264,22 @@ std::optional<ExtremeFound> MotionFeatures::nearest_to_zero(const NumberSamples&
   return near;
 }
 
+// Whether something happens where a number has come to nothing, from a sample on: it has stopped or broken off, and did
+// not die out.
+bool MotionFeatures::is_sudden(const NumberSamples& sampled, std::size_t from) const {
+  constexpr double near = 1e-6;  // of the time so far
+  const double before = sampled.time[from - 1],
+               after = sampled.time[from] + near * (sampled.time[from] - sampled.time.front());
+  const std::vector<double> breaks = motion_.breaks(sampled.time.front(), sampled.time.back());
+  return std::any_of(breaks.begin() + 1, breaks.end() - 1,
+                     [&](double time) { return before <= time && time <= after; });
+}
+
 std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to, int sense) const {
   std::vector<double> found;
   const std::optional<double> last = to ? to : motion_.end();
   double begun = from, until = to ? *to : from + 4 * motion_.pace_time();
+  double largest = 0;  // magnitude so far
   std::size_t waited = 0;
   // Each try to come nearer to where a motion ends halves what is left.
   constexpr int most_shortened = 40;
@@ -287,13 +311,22 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
     }
     double size = 0;
     for (double value : sampled.value) size = std::max(size, std::abs(value));
+    largest = std::max(largest, size);
+    // From here on nothing is left but rounding, whatever signs it may have: the number has only come near to zero, as
+    // a speed to that at which drag and weight balance, or what a damper has brought to rest.
+    std::size_t alive = sampled.value.size();
+    while (alive > 0 && std::abs(sampled.value[alive - 1]) <= died_out * largest) --alive;
+    if (sampled.value.size() - alive < least_dead || (alive > 0 && is_sudden(sampled, alive)))
+      alive = sampled.value.size();
     const auto start_counts = [&] {
       const double value = sampled.value.front();
       return sense == 0 ? std::abs(value) <= 1e-12 * size : sense * value > 1e-12 * size;
     };
     if (begun == from && start_counts()) found.push_back(from);
-    for (std::size_t i = 0; i + 1 < sampled.value.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < sampled.value.size() && i < alive; ++i) {
       const double a = sampled.value[i], b = sampled.value[i + 1];
+      // Nor is the last step to it a zero.
+      if (i + 1 == alive && alive < sampled.value.size()) continue;
       if (i == 0 && begun == from && std::abs(a) <= 1e-12 * size) continue;
       const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;
       if ((sense >= 0 && rises) || (sense <= 0 && falls))

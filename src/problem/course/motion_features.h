@@ -47,6 +47,7 @@ class MotionFeatures {
   ExtremeFound extreme(bool largest) const;
   ExtremeFound outermost(const NumberSamples& sampled, bool largest) const;
   bool has_settled(const NumberSamples& sampled, bool largest, const ExtremeFound& best) const;
+  bool is_sudden(const NumberSamples& sampled, std::size_t from) const;
   bool goes_away(const NumberSamples& sampled, bool upwards) const;
   ExtremeFound note(const ExtremeFound& found) const {
     latest_ = std::max(latest_, found.time);

@@ -181,10 +181,10 @@ std::vector<double> Course::times_of_state(const Call& call, double from, std::o
         return found;
       },
       [&](double until) {
-        if (is_over() || followed_enough(until))
+        if (ends_by(until) || followed_enough(until))
           throw NotHappeningError(situation_.file, call.arguments.front().value.mark(),
                                   in_vain(call.function + "(" + contact->name + ")", reached), look_until,
-                                  is_over() ? INFINITY : reached);
+                                  ends_by(until) ? INFINITY : reached);
       });
 }
 

@@ -65,10 +65,10 @@ std::vector<double> Course::times_of_hold(const Call& call, double from, std::op
     return found;
   };
   return sought_times(from, to, pace_time_, find, [&](double until) {
-    if (is_over() || followed_enough(until))
+    if (ends_by(until) || followed_enough(until))
       throw NotHappeningError(situation_.file, call.arguments.front().value.mark(),
                               in_vain(call.function + "(" + to_string(call.arguments.front().value) + ")", reached),
-                              look_until, is_over() ? INFINITY : reached);
+                              look_until, ends_by(until) ? INFINITY : reached);
   });
 }
 

@@ -89,6 +89,9 @@ class SidesApart {
     const double one = left_(from + span) - right_(from + span), two = left_(from + 2 * span) - right_(from + 2 * span),
                  four = left_(from + 4 * span) - right_(from + 4 * span);
     if (!(one * two > 0 && two * four > 0)) return std::nullopt;
+    // What turns nearer still has come apart to the other side.
+    for (double nearer = span / 4; from + nearer > from && at(from + nearer); nearer /= 4)
+      if (one * (left_(from + nearer) - right_(from + nearer)) < 0) return std::nullopt;
     const double power = std::log2(two / one), later = std::log2(four / two);
     if (!(power > 0.5 && power > least && power < most && std::abs(later - power) <= alike * power))
       return std::nullopt;
@@ -246,6 +249,17 @@ std::vector<double> Course::nodes(double from, double to) {
       }
   if (to > nodes.back()) nodes.push_back(to);
   return nodes;
+}
+
+std::vector<double> Course::breaks(double from, double to) {
+  at(to);
+  std::vector<double> breaks{from};
+  for (const StageRun& stage : stages_)
+    for (const Trajectory& piece : stage.pieces)
+      if (!piece.empty() && piece.start_time() > breaks.back() && piece.start_time() < to)
+        breaks.push_back(piece.start_time());
+  breaks.push_back(to);
+  return breaks;
 }
 
 Value<double> Course::feature(const Call& call, const std::optional<Expression>& axes, const Mark& mark) {

@@ -62,7 +62,10 @@ std::optional<double> window_misfit(const std::function<std::optional<WitnessedS
       v_size[k] += half * point.weight * std::abs(then->v_rate[k]);
     }
   }
-  double pace = 0;  // the fastest that anything moves, or comes to move in the window
+  // The fastest that anything moves, or comes to move in the window. What has come nearly to rest is followed to a part
+  // of what it was: its own last digits are nothing.
+  constexpr double nearly_at_rest = 1e-3;
+  double pace = nearly_at_rest * sizes.pace;
   for (std::size_t k = 0; k < velocities; ++k)
     pace = std::max(pace, std::max({std::abs(start->v[k]), std::abs(end->v[k]), v_size[k]}) / sizes.of_v[k]);
   double worst = 0;
@@ -81,7 +84,12 @@ std::optional<double> window_misfit(const std::function<std::optional<WitnessedS
 
 MotionScan::MotionScan(const std::function<double(double)>& number, double from, double to, std::size_t count)
     : number_(number), from_(from), to_(to) {
-  for (std::size_t k = 0; k < count; ++k) time_.push_back(from + (to - from) * spread_evenly(k));
+  // What happens soon after the start is short beside all the rest.
+  constexpr double nearer = 1.0 / 20;
+  const std::size_t near_start = std::min<std::size_t>(count / 4, 8);
+  double part = 1;
+  for (std::size_t k = 0; k < near_start; ++k) time_.push_back(from + (to - from) * (part *= nearer));
+  for (std::size_t k = 0; k < count - near_start; ++k) time_.push_back(from + (to - from) * spread_evenly(k));
   std::ranges::sort(time_);
   std::erase_if(time_, [&](double time) {
     const std::optional<double> value = at(time);

@@ -21,9 +21,10 @@ struct WitnessedState {
   std::vector<double> q, v, q_rate, v_rate;
   std::vector<bool> rate_known;
 };
-// Natural sizes of the coordinates and, up to a common pace, of the velocities.
+// Natural sizes of the coordinates and, up to a common pace, of the velocities; the pace at the start, 1/s.
 struct NaturalSizes {
   std::vector<double> of_q, of_v;
+  double pace = 0;
 };
 
 // Parts of one that are spread evenly over it, however many are taken.

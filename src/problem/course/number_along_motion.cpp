@@ -54,6 +54,54 @@ void NumberAlongMotion::add_corners(std::vector<double>& times) const {
   times = std::move(apart);
 }
 
+// Where a number turns soon after something sudden, or soon before, samples as far apart as the steps do not see it: of
+// a stone that is thrown up slowly and falls for long, the top. Looks that come nearer and nearer do. sudden, away: two
+// samples that follow each other. The times of three looks about the turn, or none.
+const std::vector<double>& NumberAlongMotion::turn_beside(double sudden, double away) const {
+  const auto [entry, fresh] = turns_.try_emplace({sudden, away});
+  if (!fresh) return entry->second;
+  constexpr double nearer = 1.0 / 16;
+  constexpr int most_looks = 10;        // down to 1e-12 of the way
+  constexpr double rounding = 1.5e-14;  // of a number that takes some operations
+  constexpr double no_turn = 1e-12;     // of the change between the samples
+  const double here = number_(sudden), there = number_(away), sign = there < here ? 1 : -1;
+  double most = rounding * std::max(std::abs(here), std::abs(there)) + no_turn * std::abs(there - here), part = 1;
+  for (int k = 0; k < most_looks; ++k) {
+    part *= nearer;
+    const double time = sudden + part * (away - sudden);
+    if (time == sudden) break;
+    const double beyond = sign * (number_(time) - here);
+    if (!(beyond > most)) continue;
+    most = beyond;
+    entry->second = {sudden + nearer * (time - sudden), time, sudden + std::min(part / nearer, 0.5) * (away - sudden)};
+  }
+  std::ranges::sort(entry->second);
+  return entry->second;
+}
+
+void NumberAlongMotion::add_turns(NumberSamples& sampled) const {
+  if (sampled.time.size() < 2) return;
+  constexpr std::size_t most_breaks = 64;  // bounces come by hundreds, and beside each the bounce itself is the turn
+  std::vector<double> times;
+  std::size_t looked_at = 0;
+  for (const double sudden : motion_.breaks(sampled.time.front(), sampled.time.back())) {
+    if (++looked_at > most_breaks) break;
+    const auto place = std::ranges::lower_bound(sampled.time, sudden);
+    if (place == sampled.time.end() || *place != sudden) continue;
+    for (const auto& away : {place + 1, place == sampled.time.begin() ? sampled.time.end() : place - 1})
+      if (away != sampled.time.end()) {
+        const std::vector<double>& turn = turn_beside(sudden, *away);
+        times.insert(times.end(), turn.begin(), turn.end());
+      }
+  }
+  for (const double time : times) {
+    const auto place = std::ranges::lower_bound(sampled.time, time);
+    if (place != sampled.time.end() && *place == time) continue;
+    sampled.value.insert(sampled.value.begin() + (place - sampled.time.begin()), number_(time));
+    sampled.time.insert(place, time);
+  }
+}
+
 NumberSamples NumberAlongMotion::samples(double from, double to) const {
   NumberSamples sampled;
   const std::vector<double> nodes = motion_.nodes(from, to);
@@ -71,6 +119,7 @@ NumberSamples NumberAlongMotion::samples(double from, double to) const {
     sampled.value.push_back(sampled_.value[known++]);
   for (std::size_t i = known; i < sampled.time.size(); ++i) sampled.value.push_back(number_(sampled.time[i]));
   if (from == 0) sampled_ = sampled;
+  add_turns(sampled);
   return sampled;
 }
 

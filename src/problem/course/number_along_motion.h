@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,8 +58,8 @@ class NumberAlongMotion {
   double operator()(double time) const { return number_(time); }
   double natural_size() const { return natural_size_; }
 
-  // Several in each step of the integration, and where there may be corners. Throws UnansweredError if there are more
-  // than most_samples.
+  // Several in each step of the integration, where there may be corners, and where it turns just beside something
+  // sudden. Throws UnansweredError if there are more than most_samples.
   NumberSamples samples(double from, double to) const;
   std::size_t count_of_samples(double from, double to) const;
 
@@ -76,6 +77,8 @@ class NumberAlongMotion {
 
  private:
   void add_corners(std::vector<double>& times) const;
+  const std::vector<double>& turn_beside(double sudden, double away) const;
+  void add_turns(NumberSamples& sampled) const;
 
   FollowedMotion& motion_;
   std::function<double(double time)> number_, rate_;
@@ -83,7 +86,8 @@ class NumberAlongMotion {
   std::vector<CornerInTime> corners_;
   std::string words_, file_;
   Mark mark_;
-  mutable NumberSamples sampled_;  // those from the start of the motion
+  mutable NumberSamples sampled_;                                           // those from the start of the motion
+  mutable std::map<std::pair<double, double>, std::vector<double>> turns_;  // as turn_beside() finds them
 };
 
 }  // namespace poinsot::problem

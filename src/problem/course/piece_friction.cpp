@@ -124,6 +124,7 @@ bool Course::Piece::stays_at_rest() {
   const std::vector<double> sizes = motion_.natural_sizes().of_v;
   double most = 0;  // of the natural speeds and accelerations
   for (std::size_t k = 0; k < v.size(); ++k) {
+    if (turns_nothing(machine_, static_cast<int>(k))) continue;  // as of a particle
     const double speed = sizes[k] / motion_.pace_time_;
     most = std::max({most, std::abs(v[k]) / speed, std::abs(a[k]) * motion_.pace_time_ / speed});
   }

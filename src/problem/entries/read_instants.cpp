@@ -54,7 +54,9 @@ Instant read_instant(const Key& name, const Entry& entry, const std::string& fil
   }
   if (instant.found_when && (instant.rest || !instant.facts.empty() || !instant.nudged.empty()))
     fail(file, name.mark, "the instant '" + name.text + "' is found by its condition: nothing else is stated of it",
-         "state facts at the start");
+         "state facts at the start, or look for its time in place of the condition: find: {t: s}, and under instants: "
+         "t: "
+         "{...} with all that holds then");
   return instant;
 }
 

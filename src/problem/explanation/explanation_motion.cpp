@@ -21,6 +21,7 @@ void divide_by_mass(KeptValue& kept, const std::string& mass) {
   kept.symbol = (has_parts(kept.symbol) ? "(" + kept.symbol + ")" : kept.symbol) + "/" + ExplanationTex::symbol(mass);
   kept.dimension = kept.dimension / dimensions::mass;
   if (kept.formula) kept.formula = substituted(*kept.formula, {{mass, Formula(1)}});
+  if (kept.at_start) kept.at_start = substituted(*kept.at_start, {{mass, Formula(1)}});
 }
 
 }  // namespace
@@ -51,18 +52,27 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
     std::vector<KeptValue> values = kept_values(situation, situation_index, sample, reached, general);
     if (!any_mass.empty())
       for (KeptValue& one : values) divide_by_mass(one, any_mass);
-    ExplainedStep kept{"", {}};
+    ExplainedStep kept{"", {}}, at_start{"", {}};
     std::vector<std::string> words;
     for (const KeptValue& one : values) {
       words.push_back(one.words);
       const Shown shown{one.value, one.formula};
       if (tex.can_show(shown)) kept.equations.push_back(tex.kept(one.symbol, shown, one.dimension));
+      // A number that is known stands in the line of what keeps it.
+      const Shown stated{one.value, one.at_start};
+      if (one.at_start && !tex.is_known(shown))
+        at_start.equations.push_back(tex.kept(one.symbol, stated, one.dimension));
     }
     std::erase_if(kept.equations, [](const ExplainedEquation& equation) { return equation.sides.empty(); });
     if (!words.empty()) {
       kept.text = "Along the motion " + listed(words) + (words.size() > 1 ? " keep their values" : " keeps its value") +
                   (kept.equations.empty() ? "." : " of the start:");
       section.steps.push_back(std::move(kept));
+    }
+    std::erase_if(at_start.equations, [](const ExplainedEquation& equation) { return equation.sides.empty(); });
+    if (!at_start.equations.empty()) {
+      at_start.text = at_start.equations.size() > 1 ? "At the start they are:" : "At the start it is:";
+      section.steps.push_back(std::move(at_start));
     }
     if (general)
       for (ExplainedStep& step : turning_points(statement, situation_index, sample, values, *general, tex))

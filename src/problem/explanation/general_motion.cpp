@@ -31,6 +31,18 @@ std::optional<LetterValues> coordinate_letters(const Machine& machine, const Mot
   return letters;
 }
 
+// What instants state of a coordinate or its rate, by the letter that it has in formulas; null if nothing.
+const Fact* stated_of(const std::string& letter, const std::vector<const Instant*>& stated) {
+  for (const Instant* instant : stated)
+    for (const Fact& fact : instant->facts) {
+      const Name* name = fact.quantity.as<Name>();
+      if (name && name->primes <= 1 &&
+          (name->primes == 0 ? name->name : GeneralMotion::rate_letter(name->name)) == letter)
+        return &fact;
+    }
+  return nullptr;
+}
+
 }  // namespace
 
 std::unique_ptr<GeneralMotion> GeneralMotion::of(const Situation& situation, const FormulaValues& values,
@@ -62,6 +74,23 @@ std::optional<LetterValues> GeneralMotion::letters_at(const MotionState& now) co
   if (all)
     for (const auto& [name, value] : letters_) all->insert_or_assign(name, value);
   return all;
+}
+
+std::optional<Formula> GeneralMotion::at_start(const Formula& formula, const MotionState& start,
+                                               const std::vector<const Instant*>& stated) const {
+  const std::optional<LetterValues> there = letters_at(start);
+  if (!there) return std::nullopt;
+  std::map<std::string, Formula> values;
+  for (const std::string& letter : formula.letters()) {
+    if (!is_of_motion(letter)) continue;
+    if (const Fact* fact = stated_of(letter, stated))
+      values.insert_or_assign(letter, formulas_->data().number(fact->value, dimension_of(letter)));
+    else if (there->at(letter) == 0)
+      values.insert_or_assign(letter, Formula(0));
+    else
+      return std::nullopt;
+  }
+  return substituted(formula, values);
 }
 
 LetterValues GeneralMotion::in_shown_units(const LetterValues& letters, const ExplanationTex& tex) const {

@@ -30,6 +30,10 @@ class GeneralMotion {
   static std::string rate_letter(const std::string& coordinate) { return coordinate + "'"; }
   // Values for all letters at a time of the motion; nothing where the coordinates have none.
   std::optional<LetterValues> letters_at(const MotionState& now) const;
+  // A formula of the data, the coordinates and their rates at the start, in the data alone: with what the instants
+  // state of it, and zero for what is as drawn. Nothing where a coordinate is otherwise there. Throws StatementError.
+  std::optional<Formula> at_start(const Formula& formula, const MotionState& start,
+                                  const std::vector<const Instant*>& stated) const;
   // The values of letters in the units that are shown.
   LetterValues in_shown_units(const LetterValues& letters, const ExplanationTex& tex) const;
   // Whether a formula has letters of coordinates that the statement names, and of no other.

@@ -140,6 +140,26 @@ std::optional<Formula> formula_of(const Candidate& candidate, const GeneralMotio
   }
 }
 
+// The kept value as the start states it, if the data give it there the number that it has all along.
+std::optional<Formula> at_start_of(const KeptValue& kept, const GeneralMotion& general, const MotionState& start,
+                                   const std::vector<const Instant*>& stated) {
+  try {
+    const auto letters = general.letters_at(start);
+    if (!letters) return std::nullopt;
+    const PlainPointScope decisions(*letters);
+    const std::optional<Formula> formula = general.at_start(*kept.formula, start, stated);
+    if (!formula || !(std::abs(value_at(*formula, *letters) - kept.value) <= same_value * kept.size))
+      return std::nullopt;
+    return formula;
+  } catch (const StatementError&) {
+    return std::nullopt;
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  } catch (const FormulaTooLarge&) {
+    return std::nullopt;
+  }
+}
+
 // The state of an instant with the rates of its coordinates; none if its accelerations are not determined.
 class MovingInstant {
  public:
@@ -219,9 +239,11 @@ std::vector<KeptValue> kept_values(const Situation& situation, std::size_t situa
     constexpr double left_by_integration = 1e4;
     const double value = is_rounding(least[i], left_by_integration * size) ? 0 : least[i];
     values.push_back({all[i].words, all[i].symbol, all[i].dimension, value, size});
-    if (general)
-      values.back().formula = formula_of(
-          all[i], *general, sample.instant_at(situation_index, looks[general_look] * end).state(), value, size);
+    if (!general) continue;
+    values.back().formula = formula_of(
+        all[i], *general, sample.instant_at(situation_index, looks[general_look] * end).state(), value, size);
+    if (values.back().formula)
+      values.back().at_start = at_start_of(values.back(), *general, start.state(), instants_at_start(situation));
   }
   return values;
 }

@@ -17,6 +17,7 @@ struct KeptValue {
   double size = 0;   // natural for it here, at least |value|
   // In the data, the coordinates and their rates: it has this value at every time of the motion.
   std::optional<Formula> formula{};
+  std::optional<Formula> at_start{};  // the same at the start, in the data alone
 };
 
 // The energy of all bodies together, their angular momenta about joints with the ground and the spins of bodies of

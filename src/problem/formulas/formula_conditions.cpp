@@ -96,7 +96,9 @@ std::vector<Formula> assumed_roots_of(const Value<Formula>& value) {
 std::vector<std::string> root_conditions_of(const Value<Formula>& value) {
   std::vector<std::string> all;
   for (const std::vector<Formula>& roots : {assumed_roots_of(value), domain_of(value)})
-    for (const Formula& not_negative : roots) all.push_back(words_of_root(not_negative));
+    for (const Formula& not_negative : roots)
+      if (std::string words = words_of_root(not_negative); std::ranges::find(all, words) == all.end())
+        all.push_back(std::move(words));
   return all;
 }
 

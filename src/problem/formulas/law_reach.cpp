@@ -72,16 +72,19 @@ class Reach {
   };
   std::vector<FarPoint> far_points() const {
     std::vector<FarPoint> points;
-    // With no group of the letters there is none that a bound could be at: all far points are one motion in other
-    // units, and where all letters are others at once none is left out.
-    if (task_.by_dimensions) {
-      for (std::size_t i = 0; i < scanned_by_dimensions; ++i) points.push_back({scanned(i)});
-      return points;
-    }
     const auto moved = [&](const Letter& letter, double value, bool much) {
       points.push_back({base_, much ? letter.name : ""});
       points.back().letters[letter.name] = value;
     };
+    // With no group of the letters there is none that a bound could be at: all far points are one motion in other
+    // units, and where all letters are others at once none is left out. But numbers of the file may make one: how long
+    // the motion lasts, where something stops it.
+    if (task_.by_dimensions) {
+      for (std::size_t i = 0; i < scanned_by_dimensions; ++i) points.push_back({scanned(i)});
+      for (const double far : {20.0, 0.05})
+        for (const Letter& letter : letters_) moved(letter, far * base_.at(letter.name), true);
+      return points;
+    }
     for (const Letter& letter : letters_)
       if (letter.either_sign) moved(letter, -base_.at(letter.name), false);
     for (const double far : {20.0, 0.05})
@@ -406,8 +409,9 @@ class Reach {
       const double simple = simplest_between(std::min(holds, fails), std::max(holds, fails));
       if (simple != guessed && simple > 0) {
         guessed = simple;
-        const double aside = holds < fails ? -simple_to : simple_to;
-        if (holds_at(simple * (1 + aside)) == true && holds_at(simple * (1 - aside)) == false)
+        const double inwards = holds < fails ? -1 : 1;
+        if (holds_at(simple * (1 + inwards * simple_to)) == true &&
+            holds_at(simple * (1 - inwards * simple_to)) == false && !is_contradicted(simple, inwards, holds_at))
           return simple_number(simple, closed_in);
       }
       const double middle = std::sqrt(holds * fails);
@@ -416,6 +420,14 @@ class Reach {
       (*there ? holds : fails) = middle;
     }
     return simple_number(std::sqrt(holds * fails), 10 * closed_in);
+  }
+  // Whether a bound that is guessed is none, nearer and nearer to it: 9.8 m/s^2 is not the standard gravity.
+  template <class HoldsAt>
+  static bool is_contradicted(double simple, double inwards, const HoldsAt& holds_at) {
+    for (double aside = simple_to / 10; aside > closed_in; aside /= 10)
+      if (holds_at(simple * (1 + inwards * aside)) == false || holds_at(simple * (1 - inwards * aside)) == true)
+        return true;
+    return false;
   }
   // The fraction of smallest denominator between two numbers; 0 if it is not small.
   static double simplest_between(double low, double high) {

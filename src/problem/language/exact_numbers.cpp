@@ -1,7 +1,10 @@
 #include "problem/language/exact_numbers.h"
 
 #include <cctype>
+#include <cfenv>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "problem/language/unit_table.h"
@@ -83,6 +86,15 @@ Formula read_number(std::string_view text) {
 }
 
 }  // namespace
+
+double rounded_datum(double value) {
+  const int direction = std::fegetround();
+  if (direction == FE_TONEAREST) return value;
+  constexpr double binary_places = 1024;
+  if (std::trunc(value * binary_places) == value * binary_places) return value;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return std::nextafter(value, direction == FE_UPWARD ? infinity : -infinity);
+}
 
 Formula exact_factor(const Unit& unit) {
   const std::string_view text = unit.text;

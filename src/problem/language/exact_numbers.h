@@ -40,6 +40,11 @@ Formula exact_factor(const Unit& unit);
 // The value of a literal in SI units, as an exact number.
 Formula exact_value(const Number& number);
 
+// A number of the statement that may be no double exactly, 0.1 or pi, as the operations on it are rounded now: itself
+// if they are rounded to the nearest, else its neighbour on the side to which they are. So what is left of 0.3 - 0.1 -
+// 0.2 or cos(90 deg) changes with the direction like all other rounding. Few binary digits are exact: 0.25 stays.
+double rounded_datum(double value);
+
 // The value of a literal in SI units, of a decimal text, and of pi, in either kind of scalar.
 template <class Scalar>
 Scalar literal_value(const Number& number) {
@@ -48,14 +53,14 @@ Scalar literal_value(const Number& number) {
   else if constexpr (is_exact<Scalar>)
     return lifted<Scalar>(exact_value(number));
   else
-    return Scalar(number.value * number.unit.factor);
+    return Scalar(rounded_datum(number.value * number.unit.factor));
 }
 template <class Scalar>
 Scalar decimal_value(double value, std::string_view digits) {
   if constexpr (is_exact<Scalar>)
     return lifted<Scalar>(Formula::number(digits));
   else
-    return Scalar(value);
+    return Scalar(rounded_datum(value));
 }
 template <class Scalar>
 Scalar pi_value() {
@@ -64,7 +69,7 @@ Scalar pi_value() {
   else if constexpr (is_exact<Scalar>)
     return lifted<Scalar>(Formula::pi());
   else
-    return Scalar(std::numbers::pi);
+    return Scalar(rounded_datum(std::numbers::pi));
 }
 
 }  // namespace poinsot::problem

@@ -8,6 +8,7 @@
 #include "poinsot/engine/mass/composition.h"
 #include "poinsot/engine/mass/principal_axes.h"
 #include "poinsot/engine/math/formula/formula_decision.h"
+#include "problem/language/diagnostic.h"
 #include "problem/language/exact_numbers.h"
 #include "problem/quantities/quantities.h"
 #include "problem/quantities/quantity_values.h"
@@ -222,7 +223,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     };
     if (f == "precession_axis" || f == "invariable_plane") {
       if (!(plain(norm(H)) > 0))
-        evaluator.fail(mark, "'" + to_string(what) + "' does not turn: it has no angular momentum");
+        throw UnansweredError(evaluator.file(), mark,
+                              "'" + to_string(what) + "' does not turn: it has no angular momentum");
       if (f == "precession_axis") return vector(Kind::precession_axis, normalized(H));
       return number(Kind::invariable_plane, Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity);
     }
@@ -236,11 +238,12 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     }
     const Revolution<Scalar> revolution = revolution_of(current_mass(body).inertia_center);
     if (revolution.symmetry != InertiaSymmetry::axisymmetric)
-      evaluator.fail(what.mark(),
-                     "'" + to_string(what) + "' is no body of revolution: " +
-                         (revolution.symmetry == InertiaSymmetry::spherical ? "all its axes are alike"
-                                                                            : "its three principal moments differ"),
-                     "its motion is no steady precession");
+      throw UnansweredError(
+          evaluator.file(), what.mark(),
+          "'" + to_string(what) + "' is no body of revolution: " +
+              (revolution.symmetry == InertiaSymmetry::spherical ? "all its axes are alike"
+                                                                 : "its three principal moments differ"),
+          "its motion is no steady precession");
     const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
     // The axis has the sense of the angular velocity, unless the caller states another.
     axis = revolution.axis;
@@ -299,7 +302,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
     return Result::of_list({Result::of_text(outer[0]), Result::of_text(middle), Result::of_text(outer[1])});
   }
   if (!(norm(H) > 0))
-    evaluator.fail(mark, "'" + to_string(call.arguments[0].value) + "' does not turn: it has no angular momentum");
+    throw UnansweredError(evaluator.file(), mark,
+                          "'" + to_string(call.arguments[0].value) + "' does not turn: it has no angular momentum");
   if (f == "poinsot_ellipsoid") {
     std::vector<Result> semiaxes;
     Vector3<double> lengths{};

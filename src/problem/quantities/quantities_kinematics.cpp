@@ -164,7 +164,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::geometry(const Call& call, const Eval
     const Result v = evaluator(what);
     if (!v.is_vector()) evaluator.fail(what.mark(), "direction angles are asked of a vector");
     const Scalar size = norm(v.vector);
-    if (!(plain(size) > 0)) evaluator.fail(what.mark(), "the zero vector has no direction angles");
+    if (!(plain(size) > 0))
+      throw UnansweredError(evaluator.file(), what.mark(), "the zero vector has no direction angles");
     std::vector<Result> items;
     for (std::size_t k = 0; k < 3; ++k) {
       Scalar cosine = dot(v.vector, axes_.column(k)) / size;

@@ -237,6 +237,7 @@ ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
   } catch (const StatementError& error) {
     refusal_ = error;
     contradicted_ = false;
+    unanswered_ = dynamic_cast<const UnansweredError*>(&error);
     return Truth::refused;
   }
 }
@@ -364,7 +365,12 @@ ExtremumFound ExtremumSearch::found_end() {
     }
   if (at == grid.rend()) {
     // At the ends of the grid, at zero above all, something else may be wrong than at values that are meant.
-    if (!ever_ && refusal_ && truth_at(grid[grid.size() / 2]) == Truth::refused) throw *refusal_;
+    if (!ever_ && refusal_ && truth_at(grid[grid.size() / 2]) == Truth::refused) {
+      if (!unanswered_) throw *refusal_;
+      const Diagnostic& why = refusal_->diagnostics().front();
+      found.reason = why.message + (why.hint.empty() ? "" : ": " + why.hint);
+      return found;
+    }
     found.reason = "it holds at none of " + std::to_string(grid.size()) + " values from " +
                    in_unit(*std::min_element(grid.begin(), grid.end())) + " to " +
                    in_unit(*std::max_element(grid.begin(), grid.end()));

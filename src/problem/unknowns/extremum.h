@@ -81,6 +81,7 @@ class ExtremumSearch {
   const bool seeks_states_;  // of contacts with friction, anew at each value
   Dimension dimension_;
   std::optional<StatementError> refusal_;
+  bool unanswered_ = false;             // whether the last refusal was that of a motion which does not answer
   bool contradicted_ = false;           // whether that is so because what is stated contradicts itself
   std::optional<double> confirmed_at_;  // where the particles were asked last
   bool unconfirmed_ = false;

@@ -30,6 +30,23 @@ TEST(AsksAlone, WhatDoesNotStayIsNamed) {
   EXPECT_NE(solved.reason("s").find("as steady: says"), std::string::npos) << solved.reason("s");
 }
 
+// What has no value for these data, as of a body at rest its precession, and an extremum whose condition has none.
+TEST(AsksAlone, WhatHasNoValueForTheseData) {
+  const SolvedText rests(
+      "title: t\npoints: {G: [0, 0, 0]}\nbodies: {b: {mass: 2 kg, center: G, inertia: {x: 1 kg*m^2, y: 1 kg*m^2, z: 2 "
+      "kg*m^2}}}\ngravity: none\nfacts: {angular_velocity(b): [0, 0, 0], velocity(b): [3 m/s, 0, 0]}\nask: {p: "
+      "precession_axis(b), T: kinetic_energy(b)}\n");
+  EXPECT_EQ(rests.number("T"), 9);
+  EXPECT_EQ(rests.reason("p"), "'b' does not turn: it has no angular momentum");
+
+  const SolvedText falls(
+      "title: t\ngiven: {h: 5 m}\npoints: {O: [0, h, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\ngravity: -y\n"
+      "instants: {start: rest}\nask: {least: {smallest: h, while: 'center(b).y @ 2 s > 0 m'}, later: {smallest: h, "
+      "while: 'min(center(b).y) > 0 m'}}\n");
+  EXPECT_NEAR(falls.number("least"), 2 * 9.80665, 1e-8);
+  EXPECT_NE(falls.reason("later").find("goes on falling"), std::string::npos) << falls.reason("later");
+}
+
 TEST(AsksAlone, TheEnergyOfATurningWhoseFlightIsNotStated) {
   const SolvedText solved(
       "title: t\npoints: {G: [0, 0, 0]}\n"

@@ -154,5 +154,23 @@ TEST(FrictionLimits, beside_a_load_that_is_found_at_each_value) {
   EXPECT_NEAR(number(solution, 1), 0.4 * 30 + 2 * 1, 1e-5);
 }
 
+TEST(FrictionLimits, a_function_that_there_is_not_is_what_is_told) {
+  Statement statement = read_statement(
+      "plane: [x, y]\ngiven: {m: 2 kg, P: 1 N}\npoints: {C: [0, 0]}\nbodies: {block: {particle: C, mass: m}}\n"
+      "contacts: {floor: {of: block, at: C, normal: y, friction: 0.4}}\n"
+      "loads: {pull: {force: [P, 0], at: C, body: block}}\ngravity: -y\ninstants: {now: rest}\n"
+      "ask: {most: {largest: P, while: stick(floor)}}\n",
+      "test.yaml");
+  restrict_to_plane(statement);
+  try {
+    solve_statement(statement, {});
+    FAIL() << "stick() is no function";
+  } catch (const StatementError& error) {
+    EXPECT_EQ(error.diagnostics().front().message, "there is no function 'stick'");
+    EXPECT_EQ(error.diagnostics().front().hint, "write sticking(floor)");
+    EXPECT_EQ(error.diagnostics().front().mark.line, 9);
+  }
+}
+
 }  // namespace friction_limits_test
 }  // namespace poinsot::problem

@@ -125,5 +125,49 @@ ask: {H: dot(angular_momentum(p about A) with u), M: couple(j on p about A)}
   EXPECT_EQ(solution.asks[1].value.vector.z, 0);
 }
 
+// What damps the axis of a planet is 1e-34 of the natural size of its couples, and no rounding: -c W.
+TEST(SmallBodies, what_damps_a_planet_is_told) {
+  const Solution solution = solved(R"(
+given: {c: 1 N*m*s, W: 7.3e-5 rad/s}
+points: {O: [0, 0, 0]}
+bodies: {earth: {sphere: {center: O, radius: 6.37e6 m}, mass: 5.97e24 kg}}
+joints: {axis: {revolute: z, at: O, to: earth, rate: W, damping: c}}
+gravity: none
+ask: {M: couple(axis on earth about O)}
+)");
+  EXPECT_NEAR(solution.asks[0].value.vector.z, -7.3e-5, 1e-19);
+  EXPECT_EQ(solution.asks[0].value.vector.x, 0);
+}
+
+TEST(SmallBodies, a_grain_shifts_the_center_of_a_barge) {
+  const Solution solution = solved(R"(
+given: {e: 1 mm}
+points: {O: [0, 0, 0], A: [e, 0, 0]}
+bodies: {barge: {particle: O, mass: 4e5 kg}, grain: {particle: A, mass: 1e-9 kg}}
+gravity: none
+ask: {G: center(system), d: mass(system) - 4e5 kg}
+)");
+  EXPECT_NEAR(solution.asks[0].value.vector.x, 1e-3 * 1e-9 / 4e5, 1e-31);
+  EXPECT_EQ(solution.asks[0].value.vector.y, 0);
+  ASSERT_EQ(solution.notes.size(), 1U);
+  EXPECT_EQ(solution.notes[0], "'d' is the small difference of large numbers: of its digits 1 is known");
+}
+
+// Decimals and degrees are no exact numbers of a computer, so that operations without any rounding leave some.
+TEST(SmallBodies, the_rounding_of_what_is_written_stays_zero) {
+  const Solution solution = solved(R"(
+given: {a: 0.3 m, b: 0.1 m, c: 0.2 m, q: 90 deg}
+points: {O: [0, 0, 0], A: [1 m, 0, 0]}
+bodies: {p: {particle: A, mass: 1 kg}}
+joints: {j: {revolute: z, at: O, to: p, rate: 2 rad/s, accel: 0}}
+gravity: none
+ask:
+  left: mass(p)*(a - b - c)
+  across: momentum(p).y*cos(q)
+  half_turn: momentum(p).y*sin(pi)
+)");
+  for (const SolvedAsk& ask : solution.asks) EXPECT_EQ(ask.value.number, 0) << ask.words;
+}
+
 }  // namespace rounded_values_test
 }  // namespace poinsot::problem

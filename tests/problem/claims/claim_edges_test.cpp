@@ -28,6 +28,39 @@ double value_of(const SolvedClaim& claim, const std::string& name) {
   return datum == claim.counterexample.end() ? 0 : datum->value;
 }
 
+// Where vectors are alike their difference vanishes, and so does its magnitude.
+TEST(ClaimEdges, StrictClaimsFailWhereLettersAreEqual) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {a: m/s, b: m/s, c: m/s, s: {signed: m/s}, m: kg}\n"
+      "points: {O: [0, 0, 0], P: [1 m, 0, 0]}\nbodies: {p: {particle: O, mass: m}, q: {particle: P, mass: m}}\n"
+      "facts: {velocity(p): [a, b, 0], velocity(q): [b, c, s]}\ngravity: none\nclaim:\n"
+      "  norm: norm(velocity(p) - velocity(q)) > 0 m/s\n"
+      "  squares: (velocity(p).x - b)^2 + (b - c)^2 > 0\n"
+      "  energy: kinetic_energy(p) + kinetic_energy(q) > m*dot(velocity(p) with velocity(q))\n"
+      "  weak: norm(velocity(p) - velocity(q)) >= 0 m/s\n",
+      "claims.yaml");
+  const std::vector<SolvedClaim> claims = solve_statement(statement, {}).solutions.at(0).claims;
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(claims.at(k).state, AskState::found) << k << claims.at(k).reason;
+    EXPECT_FALSE(claims.at(k).holds) << k;
+  }
+  EXPECT_TRUE(claims.at(3).holds);
+}
+
+// With equal weights Atwood's machine rests; over a wheel it has no formulas, and numbers do not decide that.
+TEST(ClaimEdges, NumbersDoNotDecideWhereLettersAreEqual) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {m: kg, M: kg}\npoints: {O: [0, 0, 0], A: [-1 m, -3 m, 0], B: [1 m, -3 m, 0]}\n"
+      "bodies: {light: {particle: A, mass: m}, heavy: {particle: B, mass: M}}\n"
+      "joints: {one: {prismatic: y, at: A, to: light}, two: {prismatic: y, at: B, to: heavy}}\n"
+      "cords: {rope: {from: light, at: A, over: [{ground: {at: O, radius: 1 m}}], to: heavy, end: B}}\ngravity: -y\n"
+      "instants: {now: rest}\nclaim: {strict: tension(rope) < (m + M)*g/2, weak: tension(rope) <= (m + M)*g/2}\n",
+      "claims.yaml");
+  const std::vector<SolvedClaim> claims = solve_statement(statement, {}).solutions.at(0).claims;
+  EXPECT_FALSE(claims.at(0).state == AskState::found && claims.at(0).holds) << claims.at(0).reason;
+  EXPECT_TRUE(claims.at(1).state == AskState::found && claims.at(1).holds) << claims.at(1).reason;
+}
+
 TEST(ClaimEdges, ACounterexampleStandsCloseToTheEdgeOfWhatIsAssumed) {
   for (const double part : {0.25, 0.3, 0.32}) {
     const SolvedClaim claim = rolling_claim("s^2 > " + std::to_string(part) + "*9.81 m/s^2 / r");

@@ -75,6 +75,29 @@ TEST(MotionFeatures, MeetCornersAndEnds) {
   EXPECT_DOUBLE_EQ(last.time, 3);
 }
 
+// Turns much nearer to the beginning, to something sudden or to the end than the samples are.
+TEST(MotionFeatures, TurnJustBesideSomethingSudden) {
+  class Struck : public EvenSteps {
+   public:
+    using EvenSteps::EvenSteps;
+    std::vector<double> breaks(double from, double to) override { return {from, 5, to}; }
+  };
+  Struck motion(10.0);
+  for (const double v : {1e-2, 1e-4, 1e-6}) {
+    const auto hop = [v](double t) { return v * t - 5 * t * t; };
+    const double height = v * v / 20;
+    const MotionFeatures first = features_of(motion, hop);
+    EXPECT_NEAR(first.largest().value, height, 1e-9 * height);
+    EXPECT_NEAR(first.zeros(0, {}, -1).front(), v / 5, 1e-9 * v);
+    const MotionFeatures last = features_of(motion, [&](double t) { return hop(10 - t); });
+    EXPECT_NEAR(last.largest().value, height, 1e-7 * height);
+    const MotionFeatures middle = features_of(motion, [&](double t) { return t < 5 ? 0 : hop(t - 5); });
+    EXPECT_NEAR(middle.largest().value, height, 1e-7 * height);
+  }
+  // What hardly changes has no turns but those of rounding.
+  EXPECT_EQ(features_of(motion, [](double t) { return 5 - t * t; }).times_of_extreme(true, 0, 10).size(), 1U);
+}
+
 TEST(MotionFeatures, OfAMotionThatComesToRestAreToldFromItsBeginning) {
   EvenSteps motion({});
   motion.dissipate();

@@ -23,6 +23,16 @@ std::string dropped(double restitution, double floor, const std::string& asks) {
          e + "}}\ngravity: -y\ninstants: {start: rest, lands: {first_time: touching(floor)}}\nask: {" + asks + "}\n";
 }
 
+// A motion that another question has followed to its end before has the same times.
+TEST(MotionHolds, AreFoundInAMotionThatIsOverBefore) {
+  const SolvedText solved(
+      "title: t\npoints: {C: [0, 1 m, 0], O: [0, 0, 0]}\nbodies: {ball: {particle: C, mass: 1 kg}}\n"
+      "contacts: {floor: {of: ball, at: C, normal: y, open: true, surface: O, restitution: 0.5}}\n"
+      "gravity: -y\nstages: {run: {lasts: 0.6 s}}\ninstants: {run.start: rest, lands: {first_time: "
+      "touching(floor)}}\nask: {last: center(ball).y @ run.end, t: time @ lands}\n");
+  EXPECT_NEAR(solved.number("t"), std::sqrt(2 / g), 1e-9);
+}
+
 // The energy of the last bounces is nothing beside that of the first, also where the floor is the level of no energy.
 TEST(MotionHolds, BounceAfterBounceIsTouchingAndParting) {
   const double fall = std::sqrt(2 * 0.5 / g);

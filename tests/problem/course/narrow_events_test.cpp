@@ -86,6 +86,71 @@ TEST(NarrowEvents, TheSmallerOfTwoNumbersDipsForAMoment) {
   }
 }
 
+// A stone that is thrown up slowly and then falls for long, and one that falls for a moment only after its top. By
+// hand: the top is v^2/(2 g) high, and after 2 v/g it is below where it was thrown.
+TEST(NarrowEvents, AStoneThatTurnsJustAfterItsStartOrJustBeforeItsEnd) {
+  std::mt19937_64 random(74);
+  std::uniform_real_distribution<double> power(0, 5), part(0, 1);
+  constexpr double g = 9.80665;
+  const auto thrown = [](double v, double lasts, const std::string& asks) {
+    return SolvedText(
+        fmt::format("title: t\npoints: {{O: [0, 0, 0]}}\nbodies: {{p: {{particle: O, mass: 2 kg}}}}\ngravity: -y\n"
+                    "instants: {{run.start: {{velocity(p): [0.1 m/s, {:.17g} m/s, 0]}}}}\nstages: {{run: {{lasts: "
+                    "{:.17g} s}}}}\nask: {{{}}}\n",
+                    v, lasts, asks));
+  };
+  for (int trial = 0; trial < 12; ++trial) {
+    const double v = std::pow(10, -power(random)), lasts = 1 + part(random), height = v * v / (2 * g);
+    const SolvedText early = thrown(v, lasts, "h: max(center(p).y), t: {first_time: center(p).y < 0 m}");
+    EXPECT_NEAR(early.number("h"), height, 1e-9 * height) << v;
+    EXPECT_NEAR(early.number("t"), 2 * v / g, 1e-9 * v / g) << v;
+    const double fast = g * lasts - v, top = fast * fast / (2 * g);
+    EXPECT_NEAR(thrown(fast, lasts, "h: max(center(p).y)").number("h"), top, 1e-12 * top) << v;
+  }
+}
+
+// What is only approached is never reached: the terminal speed of a fall in drag, the place of rest of a mass that is
+// overdamped, the way of a boat that coasts. What rounding makes of them has signs of its own.
+TEST(NarrowEvents, WhatIsOnlyApproachedIsNotReached) {
+  const SolvedText falls(
+      "title: t\ngiven: {m: 2 kg, c: 3 N*s/m}\npoints: {O: [0, 0, 0]}\nbodies: {p: {particle: O, mass: m}}\n"
+      "joints: {s: {prismatic: -y, at: O, to: p, displacement: u, damping: c}}\ngravity: -y\n"
+      "instants: {start: {u: 0, u': 0}}\nask: {end: {first_time: \"u' > m*g/c\"}, half: {first_time: \"u' > "
+      "m*g/c/2\"}}\n");
+  EXPECT_NEAR(falls.number("half"), 2.0 / 3 * std::numbers::ln2, 1e-9);
+  EXPECT_NE(falls.reason("end").find("does not happen"), std::string::npos) << falls.reason("end");
+
+  const SolvedText returns(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {p: {particle: O, mass: 1 kg}}\n"
+      "joints: {s: {prismatic: x, at: O, to: p, displacement: u, spring: {stiffness: 1000 N/m}, damping: 80 N*s/m}}\n"
+      "gravity: none\ninstants: {start: {u: 0.1 m, u': 0}}\nask: {zero: {first_time: u == 0 m}, back: {first_time: "
+      "\"u' > 0 "
+      "m/s\"}, least: min(u), most: max(u)}\n");
+  for (const char* name : {"zero", "back"})
+    EXPECT_NE(returns.reason(name).find("does not happen"), std::string::npos) << returns.reason(name);
+  EXPECT_EQ(returns.number("least"), 0);
+  EXPECT_EQ(returns.number("most"), 0.1);
+
+  // With less damping it does go through, and the first trough is lower than all that follow.
+  const SolvedText swings(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {p: {particle: O, mass: 1 kg}}\n"
+      "joints: {s: {prismatic: x, at: O, to: p, displacement: u, spring: {stiffness: 1000 N/m}, damping: 5 N*s/m}}\n"
+      "gravity: none\ninstants: {start: {u: 0.1 m, u': 0}}\nask: {zero: {first_time: u == 0 m}, least: min(u)}\n");
+  const double decay = 2.5, w = std::sqrt(1000 - decay * decay);
+  EXPECT_NEAR(swings.number("zero"), (std::numbers::pi - std::atan(w / decay)) / w, 1e-9);
+  EXPECT_NEAR(swings.number("least"), -0.1 * std::exp(-decay * std::numbers::pi / w), 1e-9);
+}
+
+// A particle that slides out on a rough floor: how it may turn is open, and nothing depends on that.
+TEST(NarrowEvents, AParticleThatStopsHasGoneFarthest) {
+  const SolvedText slides(
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\n"
+      "contacts: {floor: {of: b, at: O, normal: y, friction: 0.5}}\ngravity: -y\n"
+      "instants: {start: {velocity(b): [6 m/s, 0, 0]}}\nask: {far: max(center(b).x), low: min(velocity(b).x)}\n");
+  EXPECT_NEAR(slides.number("far"), 36 / 9.80665, 1e-9);
+  EXPECT_NEAR(slides.number("low"), 0, 1e-9);
+}
+
 // A push that lasts a millionth of the motion: no step is so short, and its impulse is told all the same.
 TEST(NarrowEvents, APushThatLastsForAMoment) {
   for (const double rate : {1e5, 1e7, 1e8}) {

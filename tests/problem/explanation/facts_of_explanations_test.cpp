@@ -189,6 +189,23 @@ ask: {top: max(a)}
   EXPECT_FALSE(says(two, "its rate vanishes")) << two;
 }
 
+// The same rod with letters: from m (L w0)^2/6 - m g L cos(a)/2 of the start, with the angle that is stated there and
+// that which is not, is seen how far it goes.
+TEST(ExplainedMotion, what_is_kept_has_the_letters_of_the_start) {
+  const std::string data =
+      "letters: {m: kg, L: m, w0: rad/s}\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\n"
+      "bodies: {rod: {rod: [O, P], mass: m}}\njoints: {pin: {revolute: z, at: O, to: rod, angle: q}}\n"
+      "gravity: -y\nstages: {all: {lasts: 1 s}}\nask: {top: max(q)}\n";
+  const std::string drawn = explained(data + "instants: {start: {q': w0}}\n");
+  EXPECT_TRUE(says(drawn, "At the start it is:")) << drawn;
+  EXPECT_TRUE(says(drawn, "T + V = \\frac{m L \\left(L w_{0}^{2} - 3 g\\right)}{6}")) << drawn;
+  const std::string raised = explained(data + "instants: {start: {q: 60 deg, q': 0}}\n");
+  EXPECT_TRUE(says(raised, "T + V = -\\frac{m g L}{4}")) << raised;
+  // What is stated in other words than those of the coordinate is not read.
+  const std::string other = explained(data + "instants: {start: {angular_velocity(rod): [0, 0, w0]}}\n");
+  EXPECT_FALSE(says(other, "At the start")) << other;
+}
+
 // A particle that sticks belongs to its body from the blow on: the energy that is worked out is that which is answered.
 TEST(Explanation, CountsWhatHasStuck) {
   const std::string text = explained(R"(title: t

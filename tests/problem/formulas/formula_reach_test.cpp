@@ -8,6 +8,7 @@
 #include <string>
 
 #include "problem/answers/solve_statement.h"
+#include "problem/formulas/formula_conditions.h"
 
 namespace poinsot::problem {
 namespace formula_reach_test {
@@ -34,6 +35,50 @@ ask: {f: impulse(f on p)}
   for (const RegimeFormula& one : solution.asks[0].regimes) {
     const bool pushes = !one.formula.vector.y.is_zero();
     EXPECT_EQ(one.where, std::vector<std::string>{pushes ? "3*a - 2*L > 0" : "2*L - 3*a > 0"});
+  }
+}
+
+// The letters make no group, but the second that the motion lasts makes one of the speed.
+TEST(FormulaReach, numbers_of_the_file_make_groups_of_a_letter) {
+  const Solution solution = solved(R"t(
+letters: {v: m/s, m: kg}
+points: {O: [0, 0, 0]}
+bodies: {b: {particle: O, mass: m}}
+joints: {mast: {prismatic: y, at: O, to: b, displacement: h}}
+gravity: -y
+instants: {start: {h: 0, "h'": v}}
+stages: {run: {lasts: 1 s}}
+ask: {top: max(h)}
+)t");
+  const SolvedAsk& ask = solution.asks[0];
+  const bool told = !ask.formula || !ask.regimes.empty() ||
+                    std::ranges::any_of(solution.grounds, [](const auto& one) { return !one.inequality.empty(); });
+  EXPECT_TRUE(told) << "v^2/(2 g) for all v";
+}
+
+// A pendulum in a lift that falls: the bound is the standard gravity, 9.80665 m/s^2, and no simple number beside it.
+TEST(FormulaReach, a_bound_is_not_rounded_to_a_simple_number) {
+  const Solution solution = solved(R"t(
+given: {L: 0.6 m, b: 50 deg}
+letters: {a: m/s^2}
+points: {O: [0, 0, 0], P: [0, -L, 0]}
+frames: {lift: {velocity: [0, 0, 0], acceleration: [0, -a, 0]}}
+bodies: {bob: {particle: P, mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, from: lift, to: bob, angle: q}}
+gravity: -y
+instants: {start: {q: b, "q'": 0}}
+ask: {fast: "max(abs(q'))"}
+)t");
+  const auto holds = [](const std::vector<std::string>& where, double a) {
+    return std::ranges::all_of(where, [&](const std::string& one) {
+      return holds_as_told(one, {{"a", parse_unit("m/s^2"), Mark{}}}, {{"a", a}}) == true;
+    });
+  };
+  ASSERT_EQ(solution.asks[0].regimes.size(), 2U);
+  for (const RegimeFormula& one : solution.asks[0].regimes) {
+    const bool hangs = holds(one.where, 5);
+    EXPECT_EQ(holds(one.where, 9.803), hangs) << one.where.front();
+    EXPECT_EQ(holds(one.where, 9.81), !hangs) << one.where.front();
   }
 }
 

@@ -18,24 +18,6 @@ constexpr std::size_t most_split_terms = 60;  // of a polynomial that is split
 
 SeenSign times(const SeenSign& a, const SeenSign& b) { return {a.sign * b.sign, a.strict && b.strict}; }
 
-SeenSign sign_of_terms(const Generators& generators, const Polynomial& p) {
-  SeenSign seen;
-  for (std::size_t i = 0; i < p.length(); ++i) {
-    const std::vector<int> powers = p.exponents(i);
-    bool nonzero = true;
-    for (std::size_t v = 0; v < generators.size(); ++v) {
-      if (powers[v] == 0 || generators[v]->positive) continue;
-      if (powers[v] % 2 != 0) return {};
-      nonzero = false;
-    }
-    const int own = fmpz_sgn(p.coefficient(i).get());
-    if (seen.sign != 0 && own != seen.sign) return {};
-    seen.sign = own;
-    seen.strict = seen.strict || nonzero;
-  }
-  return seen;
-}
-
 // How often a formula may still be squared and split.
 struct Effort {
   int squarings = most_squarings;
@@ -46,6 +28,31 @@ struct Effort {
 };
 
 SeenSign sign_of_sum(const Formula& x, const Effort& effort);
+
+// A root is not negative; it vanishes with what stands under it.
+bool may_vanish(const Generator& generator, const Effort& effort) {
+  if (generator.kind != Kind::root) return !generator.positive;
+  const SeenSign under = sign_of_sum(generator.argument, {0, 0, effort.terms});
+  return under.sign <= 0 || !under.strict;
+}
+
+SeenSign sign_of_terms(const Generators& generators, const Polynomial& p, const Effort& effort) {
+  SeenSign seen;
+  for (std::size_t i = 0; i < p.length(); ++i) {
+    const std::vector<int> powers = p.exponents(i);
+    bool nonzero = true;
+    for (std::size_t v = 0; v < generators.size(); ++v) {
+      if (powers[v] == 0) continue;
+      if (!generators[v]->positive && powers[v] % 2 != 0) return {};
+      nonzero = nonzero && !seen.strict && !may_vanish(*generators[v], effort);
+    }
+    const int own = fmpz_sgn(p.coefficient(i).get());
+    if (seen.sign != 0 && own != seen.sign) return {};
+    seen.sign = own;
+    seen.strict = seen.strict || nonzero;
+  }
+  return seen;
+}
 
 // a + b r with a root r of the radicand: of one sign where a and b are, else that of the larger square.
 SeenSign sign_with_root(const Generators& generators, const Polynomial& p, std::size_t root, const Effort& effort) {
@@ -90,7 +97,7 @@ SeenSign sign_of_square(const Generators& generators, const std::vector<Polynomi
 }
 
 SeenSign sign_of_factor(const Generators& generators, const Polynomial& p, const Effort& effort) {
-  if (const SeenSign seen = sign_of_terms(generators, p); seen.sign != 0) return seen;
+  if (const SeenSign seen = sign_of_terms(generators, p, effort); seen.sign != 0) return seen;
   const std::vector<bool> used = p.used();
   for (std::size_t v = 0; v < generators.size(); ++v)
     if (used[v] && generators[v]->kind == Kind::root && p.degree(v) == 1)

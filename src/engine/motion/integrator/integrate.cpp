@@ -126,6 +126,7 @@ bool IntegrationRun::find_events(StepView& step, std::vector<double>& y_end) {
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const Event& event = events_[i];
     const auto value = [&](double t) {
+      check_budget();
       step.evaluate(t, y_sample_);
       return event.value(t, right_side_.q(y_sample_), right_side_.v(y_sample_));
     };

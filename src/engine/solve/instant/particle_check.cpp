@@ -21,9 +21,11 @@ constexpr Work of_a_particle = 500;
 // std::max would lose a NaN; this keeps it.
 Real larger(Real a, Real b) { return std::isnan(a) || a > b ? a : b; }
 
-// A misfit over the size of its terms. What is not a number counts as infinite.
+// A misfit over the size of its terms. What is not a number counts as infinite. What is told in doubles has no digits
+// below the smallest of these that has all: what a damper has left of a speed long ago, squared.
 Real ratio(Real misfit, Real size) {
   if (!std::isfinite(misfit) || !std::isfinite(size)) return std::numeric_limits<Real>::infinity();
+  if (misfit <= std::numeric_limits<double>::min()) return 0;
   return size > 0 ? misfit / size : misfit > 0 ? 1 : 0;
 }
 
@@ -114,7 +116,8 @@ CheckResult check_with_particles(const std::vector<CheckLink>& links, const std:
       // small part of the motion's own time takes its place. Differences of doubles over 0.02/pace leave 5e-15 of
       // pace |x|, which is 5e-10 of this part: well below the misfit that is allowed, 1e-8.
       constexpr Real small_part = 1e-5L;
-      const Real speed = std::max(norm(velocity), small_part * pace * norm(x));
+      Real speed = std::max(norm(velocity), small_part * pace * norm(x));
+      if (pace > 0) speed = std::max(speed, small_part * norm(acceleration) / pace);
       L_size += std::abs(m) * speed;
       H_size += std::abs(m) * norm(x) * speed;
       T_size += std::abs(m) * speed * speed / 2;

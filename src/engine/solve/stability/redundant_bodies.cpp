@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "poinsot/engine/dynamics/velocity_constraint.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot::solve {
 namespace {
@@ -354,6 +355,7 @@ bool RedundantBodies::read_constraints() {
 }
 
 std::vector<Real> RedundantBodies::gaps(const Displacements& at) const {
+  check_budget();
   std::vector<Real> found;
   for (const auto& gap : gaps_) found.push_back(gap(at));
   return found;
@@ -415,6 +417,7 @@ Real RedundantBodies::energy_of_pull(const AttractionLaw<double>& pull, const Di
 }
 
 Real RedundantBodies::energy(const Displacements& at) const {
+  check_budget();
   Real V = 0;
   const Place3 g = wide(mechanism_.tree.gravity());
   for (std::size_t i = 0; i < bodies_.size(); ++i)

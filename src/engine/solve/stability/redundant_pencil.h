@@ -15,6 +15,7 @@
 #include "engine/solve/stability/doubted_rates.h"
 #include "engine/solve/stability/redundant_bodies.h"
 #include "engine/solve/stability/same_motion.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot::solve {
 
@@ -190,8 +191,10 @@ class RedundantPencil {
     const Vector left = unbalanced_ - transposed * y;
     if (left.norm() > in_balance * (unbalanced_.norm() + stiffness_.norm())) return std::nullopt;
     const Matrix K = stiffness_ - slopes_of_reactions(y);
+    check_budget();
     const Matrix N = all.rows() > 0 ? complement(transposed) : Matrix(Matrix::Identity(n_, n_));
     const Matrix Z = rows.rows() > 0 ? complement(rows.transpose()) : Matrix(Matrix::Identity(2 * n_, 2 * n_));
+    check_budget();
     const Matrix x = Z.topRows(n_), u = Z.bottomRows(n_);
     Matrix E(n_ + N.cols(), Z.cols()), F(n_ + N.cols(), Z.cols());
     const Matrix resists = gyration_ * u + K * x, allowed = N.transpose();

@@ -20,6 +20,7 @@
 #include "poinsot/engine/dynamics/convert_mechanism.h"
 #include "poinsot/engine/dynamics/equations_of_motion.h"
 #include "poinsot/engine/math/algebra/dual.h"
+#include "poinsot/engine/work/budget.h"
 
 namespace poinsot::solve {
 
@@ -161,6 +162,7 @@ class RemainderSlopes {
     return along;
   }
   Remainder<Scalar> slope(const std::vector<Scalar>& q_change, const std::vector<Scalar>& v_change) const {
+    check_budget();
     State<Varied> state;
     for (std::size_t i = 0; i < state_.q.size(); ++i) state.q.push_back({state_.q[i], {q_change[i]}});
     for (std::size_t i = 0; i < state_.v.size(); ++i) state.v.push_back({state_.v[i], {v_change[i]}});
