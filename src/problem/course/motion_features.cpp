@@ -325,7 +325,7 @@ std::vector<double> MotionFeatures::zeros(double from, std::optional<double> to,
     if (begun == from && start_counts()) found.push_back(from);
     for (std::size_t i = 0; i + 1 < sampled.value.size() && i < alive; ++i) {
       const double a = sampled.value[i], b = sampled.value[i + 1];
-      // Nor is the last step to it a zero.
+      // Where it comes to nothing it does not go through zero.
       if (i + 1 == alive && alive < sampled.value.size()) continue;
       if (i == 0 && begun == from && std::abs(a) <= 1e-12 * size) continue;
       const bool rises = a < 0 && b >= 0, falls = a > 0 && b <= 0;

@@ -147,7 +147,7 @@ std::optional<Formula> at_start_of(const KeptValue& kept, const GeneralMotion& g
     const auto letters = general.letters_at(start);
     if (!letters) return std::nullopt;
     const PlainPointScope decisions(*letters);
-    const std::optional<Formula> formula = general.at_start(*kept.formula, start, stated);
+    std::optional<Formula> formula = general.at_start(*kept.formula, start, stated);
     if (!formula || !(std::abs(value_at(*formula, *letters) - kept.value) <= same_value * kept.size))
       return std::nullopt;
     return formula;
