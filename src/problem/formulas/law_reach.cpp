@@ -424,7 +424,7 @@ class Reach {
   // Whether a bound that is guessed is none, nearer and nearer to it: 9.8 m/s^2 is not the standard gravity.
   template <class HoldsAt>
   static bool is_contradicted(double simple, double inwards, const HoldsAt& holds_at) {
-    for (double aside = simple_to / 10; aside > closed_in; aside /= 10)
+    for (const double aside : {simple_to / 10, simple_to / 100})
       if (holds_at(simple * (1 + inwards * aside)) == false || holds_at(simple * (1 - inwards * aside)) == true)
         return true;
     return false;
