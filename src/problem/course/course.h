@@ -89,6 +89,9 @@ class Course : public FollowedMotion {
   // sought, for as long as the motion needs.
   std::vector<double> times(const Expression& comparison, const std::optional<Expression>& axes, double from,
                             std::optional<double> to);
+  // Refuses sides of different kinds and angles without unit, as wherever values are compared. Throws StatementError.
+  static void require_comparable(SolvedInstant& instant, const Expression& comparison,
+                                 const std::optional<Expression>& axes);
   // Throws UnansweredError if the sides of what has ended a stage were equal all along it, but for rounding.
   void require_sides_apart(std::size_t stage, const Expression& ending);
   // The first time, from the start, at which a coordinate or any number has a value.

@@ -140,6 +140,16 @@ void Course::require_sides_apart(std::size_t stage, const Expression& ending) {
                         "name another event, or say how long it lasts with lasts:");
 }
 
+void Course::require_comparable(SolvedInstant& instant, const Expression& comparison,
+                                const std::optional<Expression>& axes) {
+  try {
+    instant.raw(comparison, axes, nullptr);
+  } catch (const DomainError&) {
+    // That a side has no value just now is no fault of the comparison.
+  } catch (const UnansweredError&) {
+  }
+}
+
 SolvedInstant& Course::instant_at(double time) {
   move_probe(at(time));
   return *probe_;
@@ -357,9 +367,7 @@ std::vector<double> Course::times(const Expression& condition, const std::option
     return found;
   }
   const NumberInTime left = number(comparison->operands[0], axes), right = number(comparison->operands[1], axes);
-  if (!same_kind(dimension(comparison->operands[0], axes), dimension(comparison->operands[1], axes)) &&
-      left(from) != 0 && right(from) != 0)
-    fail(situation_.file, condition.mark(), "the two sides of this comparison are of different kinds");
+  require_comparable(instant_at(from), condition, axes);
   const MotionFeatures features(
       *this,
       {[left, right](double time) { return left(time) - right(time); },

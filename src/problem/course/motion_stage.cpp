@@ -114,6 +114,7 @@ void Course::run(std::size_t stage, double until) {
       require_sides_apart(stage, *ending);
       return;
     }
+    if (ending) require_comparable(*probes_[now.states_now], *ending, std::nullopt);
     if (has_later_contacts_ && !open_checked_) {
       piece.check_open();
       open_checked_ = true;

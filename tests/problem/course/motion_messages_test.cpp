@@ -85,6 +85,19 @@ TEST(MotionMessages, ThereIsNoTimeBeforeTheStart) {
             "test.yaml:8:15: error: the motion begins at 0 s: there is no time before it (write x @ start, x @ 2 s)");
 }
 
+// What happens in time is compared as anything else: thirty is no angle, and no angle is a length.
+TEST(MotionMessages, WhatIsComparedInTimeHasItsUnit) {
+  EXPECT_EQ(failure_of_text(pendulum + "ask: {t: {first_time: th == 30}}\n"),
+            "test.yaml:8:29: error: a number without unit meets an angle (write 30 deg or 30 rad)");
+  EXPECT_NE(failure_of_text(pendulum + "ask: {t: {first_time: th < 1 m}}\n").find("length"), std::string::npos);
+  EXPECT_NE(failure_of_text(pendulum + "ask: {t: {first_time: th < 0 m}}\n").find("length"), std::string::npos);
+  EXPECT_NE(failure_of_text(pendulum + "stages: {run: {until: th == 30}}\nask: {t: th @ run.end}\n")
+                .find("a number without unit meets an angle"),
+            std::string::npos);
+  EXPECT_NEAR(SolvedText(pendulum + "ask: {t: {first_time: th == 0}}\n").number("t"),
+              SolvedText(pendulum + "ask: {t: {first_time: th == 0 deg}}\n").number("t"), 0);
+}
+
 TEST(MotionMessages, AUnitStandsBehindANumber) {
   const std::string message = failure_of_text(pendulum + "ask: {t: \"2*pi rad\"}\n");
   EXPECT_EQ(message, "test.yaml:8:16: error: 'rad' is a unit, which stands behind a number (write 'pi * 1 rad')");
