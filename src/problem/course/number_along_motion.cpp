@@ -126,6 +126,7 @@ NumberSamples NumberAlongMotion::samples(double from, double to) const {
 // The extreme at which the slope vanishes: a zero of the rate, or if that is not known, of differences of sixth
 // order. Nothing if the slope does not change sign.
 std::optional<ExtremeFound> NumberAlongMotion::level_between(double before, double after) const {
+  if (!(before < after)) return std::nullopt;
   const double h = 0.05 * (after - before);
   const auto slope = [&](double t) {
     if (rate_) return rate_(t);
@@ -160,6 +161,7 @@ ExtremeFound NumberAlongMotion::outermost_between(double before, double after, b
 }
 
 double NumberAlongMotion::zero_between(double a, double b, double level) const {
+  if (!(a < b)) return a;  // steps may be as short as the last digit of the time
   const auto f = [&](double t) { return number_(t) - level; };
   const double fa = f(a), fb = f(b);
   if (fa == 0) return a;
