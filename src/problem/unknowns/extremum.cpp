@@ -233,6 +233,7 @@ ExtremumSearch::Truth ExtremumSearch::truth_at(double value) {
   } catch (const ContradictionError& error) {
     refusal_ = error;
     contradicted_ = true;
+    unanswered_ = false;
     return Truth::refused;
   } catch (const StatementError& error) {
     refusal_ = error;
