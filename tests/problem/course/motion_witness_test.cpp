@@ -143,6 +143,22 @@ TEST(MotionWitness, what_has_no_value_at_some_times_is_held_at_the_others) {
   EXPECT_GT(MotionScan(beside, 0, turn, 100).of_extreme({right.value - 0.1, right.time}, true).value, 0.01);
 }
 
+// What has come nearly to rest is measured by a thousandth of its first pace, so that a fault is seen long before: in a
+// swing that has died out to a hundredth, a wrong rate is still a large part of what it makes.
+TEST(MotionWitness, a_fault_is_seen_in_what_has_become_slow) {
+  const auto dying = [](double fault) {
+    return [fault](double t) {
+      const double x = std::exp(-t);
+      return std::optional(WitnessedState{{x}, {-x}, {-x}, {(1 + fault) * x}, {true}});
+    };
+  };
+  const NaturalSizes sizes{{1}, {1}, 1};
+  const double late = std::log(100.0);
+  EXPECT_LT(window_misfit(dying(0), late, late + 0.3, sizes).value(), 1e-9);
+  EXPECT_GT(window_misfit(dying(1e-3), late, late + 0.3, sizes).value(), 1e-4);
+  EXPECT_GT(window_misfit(dying(1e-3), 0, 0.3, sizes).value(), 1e-4);
+}
+
 // A contact whose push falls to zero at one second, in a motion that lets go of it at some time or other.
 MotionDoubt doubt_of_release(double told, const std::vector<bool>& then) {
   const std::vector<HeldStretch> stretches{{{true, true}, 0.1, told}, {then, 0.2, told + 1}};
