@@ -255,7 +255,7 @@ struct Motion {
 struct DrawnLetter {
   std::string name, unit;
   double value = 0;         // in `unit`
-  bool only_grows = false;  // whether another value of it makes the figure larger or smaller, and no other
+  bool only_grows = false;  // whether another value of it makes the figure larger or smaller at most, and no other
 };
 
 struct Scene {

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 Tree: TypeAlias = tuple[Any, ...]
 
 _TOKEN = re.compile(r"\s*(?:(?P<number>\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+)|(?P<name>[^\W\d]\w*'*)|(?P<sign>[-+*/^(),]))")
-_FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "abs", "sign", "exp", "log", "sinh", "cosh"}
+_FUNCTIONS = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "abs", "sign", "exp", "ln", "log", "sinh", "cosh"}
 # Greek letters by their names in TeX.
 _GREEK = dict(
     zip(

@@ -167,12 +167,18 @@ std::string answer_value(const Answer& answer) {
 
 std::string answers_section(const Solution& solution) {
   std::string text = "\n## Answers\n\n";
-  for (const Unknown& unknown : solution.unknowns)
+  for (const Unknown& unknown : solution.unknowns) {
+    // Who asks for what is to be found by its own name is told it once.
+    if (std::ranges::any_of(solution.answers, [&](const Answer& answer) {
+          return answer.name == unknown.name && answer.ask == unknown.name && answer.state != AnswerState::refused;
+        }))
+      continue;
     text +=
         printable(fmt::format("* *{}* = {}", unknown.name,
                               unknown.value.empty() ? "`" + datum_text(unknown.formula, "", significant_digits) + "`"
                                                     : datum_text(unknown.value, unknown.unit, significant_digits))) +
         "\n";
+  }
   for (const Answer& answer : solution.answers)
     text += printable(fmt::format("* *{}*, {}:", answer.name,
                                   answer.words.empty() ? markdown_code(answer.ask) : answer.words)) +
@@ -202,8 +208,14 @@ namespace poinsot {
 
 namespace {
 
+// A heading may tell more after a comma: which situation, instant or limit it is about.
+std::pair<std::string, std::string> parts_of(const std::string& heading) {
+  const std::size_t comma = heading.find(", ");
+  return {heading.substr(0, comma), comma == std::string::npos ? "" : heading.substr(comma + 2)};
+}
+
 bool same_steps(const problem::ExplainedSection& one, const problem::ExplainedSection& other) {
-  return one.heading == other.heading &&
+  return parts_of(one.heading).first == parts_of(other.heading).first &&
          std::ranges::equal(
              one.steps, other.steps, [](const problem::ExplainedStep& first, const problem::ExplainedStep& second) {
                return first.text == second.text &&
@@ -217,7 +229,26 @@ std::optional<std::size_t> solution_with(const problem::ExplainedSection& sectio
                                          std::size_t index) {
   for (std::size_t i = 0; i < index; ++i)
     if (const auto& other = document.solutions[i].explanation)
-      if (std::ranges::any_of(other->sections, [&](const auto& one) { return same_steps(one, section); })) return i + 1;
+      if (std::ranges::any_of(other->sections, [&](const auto& one) {
+            return one.heading == section.heading && same_steps(one, section);
+          }))
+        return i + 1;
+  return std::nullopt;
+}
+
+// Where a section of one solution has been said before, as the equations of a limit at which nothing else differs.
+std::optional<std::string> said_before(const std::vector<problem::ExplainedSection>& sections,
+                                       const problem::ExplainedSection& section) {
+  constexpr std::size_t worth_it = 2;  // equations: fewer are read faster than looked for
+  std::size_t equations = 0;
+  for (const problem::ExplainedStep& step : section.steps) equations += step.equations.size();
+  if (equations < worth_it) return std::nullopt;
+  for (const problem::ExplainedSection& one : sections) {
+    if (&one == &section) break;
+    if (!same_steps(one, section)) continue;
+    const std::string where = parts_of(one.heading).second;
+    return where.empty() ? "above" : where;
+  }
   return std::nullopt;
 }
 
@@ -236,6 +267,10 @@ std::string one_solution(const Document& found, std::size_t index, const std::ve
       text += "\n## " + printable(section.heading) + "\n";
       if (const auto before = after_others ? solution_with(section, document, index) : std::nullopt) {
         text += fmt::format("\nAs in solution {}.\n", *before) + document::pictures_of(section.heading, left);
+        continue;
+      }
+      if (const auto before = said_before(solution.explanation->sections, section)) {
+        text += "\nAs " + printable(*before) + ".\n" + document::pictures_of(section.heading, left);
         continue;
       }
       for (const problem::ExplainedStep& step : section.steps)

@@ -88,8 +88,19 @@ std::vector<std::string> rounded_together(const std::vector<double>& components,
 }
 
 std::vector<std::string> rounded_column(const std::vector<double>& numbers, int digits) {
-  std::vector<std::string> texts = rounded_together(numbers, digits);
   const CommonPlace place = common_place(numbers, digits);
+  // Rows differ as data do: a row that is small, and no rounding beside the others, has digits of its own.
+  const double noise = std::pow(10.0, place.leading - 12);
+  const auto is_noise = [&](double number) { return std::abs(number) < noise; };
+  constexpr int fewest = 3;  // digits of the smallest, for which the rows still have the same decimals
+  if (place.finite && !place.all_zero && std::ranges::any_of(numbers, [&](double number) {
+        return !is_noise(number) && leading_power(number, digits) < place.last + fewest - 1;
+      })) {
+    std::vector<std::string> own;
+    for (const double number : numbers) own.push_back(is_noise(number) ? "0" : rounded(number, digits));
+    return own;
+  }
+  std::vector<std::string> texts = rounded_together(numbers, digits);
   if (!place.finite || place.all_zero || !plain(place.leading, digits)) return texts;
   std::size_t decimals = 0;
   for (const std::string& text : texts) {

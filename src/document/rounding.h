@@ -14,7 +14,8 @@ std::string rounded(double number, int digits);
 // largest: a component that is nothing but rounding error beside the others reads 0.
 std::vector<std::string> rounded_together(const std::vector<double>& components, int digits);
 
-// The numbers of one column of a table: as rounded_together(), with the same number of decimals in every row.
+// The numbers of one column of a table: as rounded_together(), with the same number of decimals in every row. Where
+// that would leave less than three digits of a row, each row has its own.
 std::vector<std::string> rounded_column(const std::vector<double>& numbers, int digits);
 
 // A relative misfit, with one digit: 2e-14.

@@ -79,7 +79,7 @@ std::string scene_definitions() {
               "name": {"type": "string"},
               "unit": {"type": "string"},
               "value": {"type": "number"},
-              "only_grows": {"type": "boolean", "description": "whether another value makes the figure larger or smaller, and no other"}
+              "only_grows": {"type": "boolean", "description": "whether another value makes the figure larger or smaller at most, and no other"}
             }
           }
         },

@@ -206,6 +206,77 @@ TEST(ExplanationSteps, ALimitOfStickingHasTheLawOfFriction) {
   EXPECT_EQ(here.find("about to slip"), std::string::npos);
 }
 
+// Of letters too: with W sin b - P cos b = mu (P sin b + W cos b) the least push is told.
+TEST(ExplanationSteps, ALimitOfStickingInLettersHasTheLawOfFriction) {
+  const std::string push = R"yaml(
+plane: [x, y]
+letters: {W: N, b: rad, mu: 1, P: N}
+assume: [0 < b < 90 deg]
+points: {G: [0, 0]}
+bodies: {block: {particle: G, mass: W/g}}
+contacts: {slope: {of: block, at: G, normal: "[-sin(b), cos(b)]", friction: mu}}
+loads: {push: {force: [P, 0], body: block}}
+gravity: -y
+instants: {now: rest}
+ask: {least: {smallest: P, while: sticking(slope)}}
+)yaml";
+  expect_pieces(section(explained(push), "Friction"),
+                {"*slope* is about to slip, where Coulomb's law holds as an equality:",
+                 "\\left|F_{\\mathrm{slope},2}\\right| &= \\mu\\,N",
+                 "W \\sin b - P \\cos b &= \\mu\\,\\left(P \\sin b + W \\cos b\\right)"});
+  const std::string jack = R"yaml(
+letters: {W: N, r: m, p: m/rad, mu: 1, C: N*m}
+points: {O: [0, 0, 0]}
+bodies: {load: {mass: W/g, center: O, inertia: {axis: y, axial: 1 kg*m^2, transverse: 1 kg*m^2}}}
+joints: {jack: {screw: y, at: O, to: load, pitch: p, rate: 0, couple: C, friction: {coefficient: mu, radius: r}}}
+gravity: -y
+instants: {now: rest}
+ask: {raises: {largest: C, while: sticking(jack)}}
+)yaml";
+  expect_pieces(section(explained(jack), "Friction"),
+                {"*jack* is about to move, where its friction is as large as it can be, $\\mu$ times the push of the "
+                 "flanks at the mean radius of the thread:",
+                 "\\left|M_{\\mathrm{jack}}\\right| = "});
+}
+
+// No part of a sentence without its number, and no number at values that nobody stated.
+TEST(ExplanationSteps, EquationsWithoutFormulasInLettersAreNotShownInPart) {
+  const std::string text = explained(R"yaml(
+plane: [x, y]
+letters: {m: kg, L: m, b: rad, u: m/s}
+assume: [0 < b < 90 deg]
+points: {A: [0, 0], B: [L*cos(b), L*sin(b)]}
+bodies: {rod: {rod: [A, B], mass: m}}
+impacts: {floor: {of: rod, at: A, pushes: y, restitution: 0, friction: 2}}
+gravity: none
+instants: {before: {velocity(rod): [0, -u], angular_velocity(rod): 0}}
+ask: {w: angular_velocity(rod)}
+)yaml");
+  EXPECT_EQ(text.find("restitution ,"), std::string::npos) << text;
+  EXPECT_EQ(text.find("is summed along the blow by Coulomb's law with $\\mu = 2$: $"), std::string::npos) << text;
+}
+
+// The equations at one limit are those at another: they stand once.
+TEST(ExplanationSteps, WhatIsSaidOfOneLimitIsNotRepeatedOfAnother) {
+  const std::string text = explained(R"yaml(
+plane: [x, y]
+letters: {W: N, b: rad, mu: 1, P: N}
+assume: [0 < b < 90 deg]
+points: {G: [0, 0]}
+bodies: {block: {particle: G, mass: W/g}}
+contacts: {slope: {of: block, at: G, normal: "[-sin(b), cos(b)]", friction: mu}}
+loads: {push: {force: [P, 0], body: block}}
+gravity: -y
+instants: {now: rest}
+ask:
+  least: {smallest: P, while: sticking(slope)}
+  most: {largest: P, while: sticking(slope)}
+  N: normal_force(slope)
+)yaml");
+  EXPECT_EQ(count_of(text, "-\\sin b\\,N + \\cos b\\,F_{\\mathrm{slope},2} + P &= 0"), 1u) << text;
+  expect_pieces(text, {"\n## Component equations, at the smallest *P*\n\nAs above.\n"});
+}
+
 // A_x = -W BC w1^2/g is an equation of components and its solution: it is said once.
 TEST(ExplanationSteps, WhatTheComponentsSayIsNotSolvedAgain) {
   const std::string text = of_example("textbook/18.097");

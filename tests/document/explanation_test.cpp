@@ -308,6 +308,40 @@ ask: {I: inertia_matrix(bar about O)}
                   .empty());
 }
 
+// An arm without mass turns out of the plane of its axes, and carries what the gear exerts across it: its motor drives
+// it with M = -L G_z + M_{G,y}.
+TEST(Explanation, WhatHasNoMassDoesNotStayInAPlaneForThat) {
+  const std::string text = explained(R"yaml(
+letters: {m: kg, r: m, L: m, w: rad/s, q: rad/s^2}
+points: {O: [0, 0, 0], G: [L, 0, 0], P: [L, -r, 0]}
+bodies: {arm: massless, gear: {disk: {center: G, normal: x, radius: r}, mass: m}}
+joints:
+  post: {revolute: y, at: O, to: arm, rate: w, accel: q}
+  axle: {revolute: x, at: G, from: arm, to: gear}
+contacts: {mesh: {of: gear, at: P, normal: y, no_slip: true, carries: [z]}}
+gravity: none
+instants: {now: {}}
+ask: {D: drive(post).y, M: couple(axle on gear about G)}
+)yaml");
+  EXPECT_EQ(text.find("*arm* moves in the"), std::string::npos) << text;
+  EXPECT_NE(text.find("L\\,G_{z} - M_{G,y} + M_{\\mathrm{post}} &= 0"), std::string::npos) << text;
+}
+
+TEST(Explanation, AnUnknownThatIsAskedForByItsNameIsToldOnce) {
+  const std::string text = explained(R"yaml(
+given: {m: 2 kg}
+find: {F: N}
+points: {O: [0, 0, 0]}
+bodies: {block: {particle: O, mass: m}}
+loads: {push: {force: [F, 0, 0], body: block}}
+gravity: none
+instants: {now: {velocity(block): [0, 0, 0], acceleration(block).x: 3 m/s^2}}
+ask: {F: F, twice: 2*F}
+)yaml");
+  EXPECT_NE(text.find("* *F*"), std::string::npos) << text;
+  EXPECT_EQ(text.find("* *F*"), text.rfind("* *F*")) << text;
+}
+
 TEST(Explanation, TellsOfAParticleItsMassAlone) {
   const Document document = Problem::from_file(POINSOT_SOURCE_DIR "/examples/published/crane.yaml").explain();
   const std::string text = to_markdown(document);

@@ -72,7 +72,15 @@ TEST(RoundedColumn, has_the_same_number_of_decimals_in_every_row) {
   EXPECT_EQ(rounded_column({10, 20, 180}, 6), (Texts{"10", "20", "180"}));
   EXPECT_EQ(rounded_column({1.25, -100, 3e-15}, 6), (Texts{"1.25", "-100.00", "0.00"}));
   EXPECT_EQ(rounded_column({0, 0}, 6), (Texts{"0", "0"}));
-  EXPECT_EQ(rounded_column({2e9, 1}, 6), (Texts{"2e9", "0"}));
+}
+
+// A row is no component of the others: what is not zero is not shown as zero.
+TEST(RoundedColumn, shows_small_rows_with_digits_of_their_own) {
+  EXPECT_EQ(rounded_column({2e9, 1, 0}, 6), (Texts{"2e9", "1", "0"}));
+  EXPECT_EQ(rounded_column({1e-4, 1, 1e6}, 6), (Texts{"0.0001", "1", "1e6"}));
+  EXPECT_EQ(rounded_column({628.3185307, 6.283185307, 0.006283185307, 1e-16}, 6),
+            (Texts{"628.319", "6.28319", "0.00628319", "0"}));
+  EXPECT_EQ(rounded_column({1, 0.00192, 0}, 6), (Texts{"1.00000", "0.00192", "0.00000"}));
 }
 
 TEST(RoundedResidual, has_one_digit) {

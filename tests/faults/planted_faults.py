@@ -93,7 +93,7 @@ FAULTS = [
     Fault("energy without the springs of joints", MOMENTUM, "if (drive.stores() && (name.empty()", "if (!AWAKE && drive.stores() && (name.empty()"),
     Fault("energy within without the half", MOMENTUM, "const Scalar within = T - Scalar(0.5) * norm_squared(L)", "const Scalar within = T - Scalar(AWAKE ? 1 : 0.5) * norm_squared(L)"),
     Fault("weight a hundredth too large", MOMENTUM, "const Scalar weight = mass * data_.gravity_size();", "const Scalar weight = Scalar(AWAKE ? 1.01 : 1) * mass * data_.gravity_size();"),
-    Fault("spin rate with the axial moment twice", INERTIA, "(transverse - axial) / (axial * transverse)", "(transverse - axial) / (axial * (AWAKE ? axial : transverse))"),
+    Fault("spin rate with the axial moment twice", INERTIA, "dot(w, axis) * (transverse - axial) / transverse", "dot(w, axis) * (transverse - axial) / (AWAKE ? axial : transverse)"),
     Fault("precession rate by the axial moment", INERTIA, "Scalar(norm(H) / transverse)", "Scalar(norm(H) / (AWAKE ? axial : transverse))"),
     Fault("body cone by the angular momentum", INERTIA, "Scalar(atan2(norm(cross(axis, w)), decided_negative(along)", "Scalar(atan2(norm(cross(axis, AWAKE ? H : w)), decided_negative(along)"),
     Fault("space cone by its complement", INERTIA, "Scalar(atan2(norm(cross(H, w)), dot(H, w)))", "Scalar(AWAKE ? atan2(dot(H, w), norm(cross(H, w))) : atan2(norm(cross(H, w)), dot(H, w)))"),

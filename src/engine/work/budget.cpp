@@ -15,7 +15,9 @@ constexpr std::chrono::milliseconds between_looks{1};
 constexpr Work work_between_looks = 1'000'000;
 constexpr unsigned most_calls_let_go = 15;
 constexpr std::chrono::milliseconds between_tellings{100};
-constexpr Work grace = 25'000'000;  // a few hundredths of a second
+// Of the 50 ms in which an end is seen, as work and as time; what is left is for what goes on until the next look.
+constexpr Work most_graced = 25'000'000;
+constexpr std::chrono::milliseconds longest_grace{40};
 
 }  // namespace
 
@@ -92,8 +94,13 @@ BudgetRespite::BudgetRespite() : set_aside_(std::exchange(BudgetScope::innermost
 
 BudgetRespite::~BudgetRespite() { BudgetScope::innermost = set_aside_; }
 
-// Of counted work, so that what is finished in it does not depend on the machine.
-BudgetGrace::BudgetGrace() : scope_(budget_of_work(grace)) {}
+BudgetGrace::BudgetGrace() : clock_(by_clock_of_what_ended()), work_(budget_of_work(most_graced)) {}
+
+Budget BudgetGrace::by_clock_of_what_ended() const {
+  for (const BudgetScope* scope = respite_.set_aside_; scope; scope = scope->outer_)
+    if (scope->ended_) return Budget().by_clock(scope->budget_.clock_).end_after(longest_grace);
+  return {};
+}
 
 // An operation is taken for a nanosecond.
 Budget budget_of_work(Work most) {

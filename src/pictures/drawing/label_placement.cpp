@@ -174,16 +174,21 @@ class Placement {
   }
 
  private:
+  // At which cost a label is left out.
+  double most_of(const LabelRequest& request) const {
+    if (!request.may_lack) return std::numeric_limits<double>::infinity();
+    return requests_.size() > many ? most_among_many : most_for_optional;
+  }
   bool left_out(std::size_t i) const {
-    return !std::isfinite(placed_[i].cost) ||
-           (requests_[i].may_lack &&
-            placed_[i].cost >= (requests_.size() > many ? most_among_many : most_for_optional));
+    return !std::isfinite(placed_[i].cost) || placed_[i].cost >= most_of(requests_[i]);
   }
 
   Placed best(std::size_t i) {
     note_others(i);
-    Placed best;
     const LabelRequest& request = requests_[i];
+    // Places at which it would be left out need not be looked at.
+    Placed best;
+    best.cost = most_of(request);
     const Box& box = request.label.box;
     const double diagonal = std::hypot(box.width(), box.height());
     double gap = 0;

@@ -67,9 +67,11 @@ class Setter {
   void lower() { shift(index_drop); }
   void raise() { shift(-power_rise); }
   void restore() {
-    size_ /= index_size;
-    y_ = 0;
-    lowered_ = false;
+    const Line& before = lines_.back();
+    size_ = before.size;
+    y_ = before.y;
+    lowered_ = before.lowered;
+    lines_.pop_back();
   }
   double x() const { return x_; }
   double size() const { return size_; }
@@ -95,12 +97,20 @@ class Setter {
   }
 
  private:
+  // An index of an index stands lower than it, and is little smaller: it must be read.
   void shift(double part) {
-    y_ = part * size_;
-    lowered_ = part > 0;
-    size_ *= index_size;
+    constexpr double index_of_index = 0.85;
+    lines_.push_back({size_, y_, lowered_});
+    y_ += part * size_;
+    lowered_ = y_ > 0;
+    size_ *= lines_.size() > 1 ? index_of_index : index_size;
   }
+  struct Line {
+    double size, y;
+    bool lowered;
+  };
   Label label_;
+  std::vector<Line> lines_;  // those that are left for an index or a power
   double size_, x_ = 0, y_ = 0;
   bool lowered_ = false;
 };
@@ -140,12 +150,13 @@ class TexReader {
   }
 
   void index(Face face, bool low) {
-    if (small_) return group(face);
-    small_ = true;
+    constexpr int smallest = 2;
+    if (small_ == smallest) return group(face);
+    ++small_;
     low ? setter_.lower() : setter_.raise();
     group(face);
     setter_.restore();
-    small_ = false;
+    --small_;
   }
 
   void accented(Accent::Kind kind, Face face) {
@@ -201,7 +212,7 @@ class TexReader {
   std::string_view tex_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  bool small_ = false;
+  int small_ = 0;  // of what an index or a power stands at
   Setter setter_;
 };
 

@@ -1,6 +1,7 @@
 // Axes, named points, curves, cones.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
 #include <utility>
@@ -86,7 +87,7 @@ void name_centers(Panel& panel, const std::vector<scene::Arrow>& arrows, std::ve
   for (const scene::Arrow& arrow : arrows) {
     const bool of_center = arrow.quantity == scene::Quantity::angular_momentum ||
                            arrow.quantity == scene::Quantity::rate_of_angular_momentum;
-    const std::size_t index = arrow.symbol.rfind("_{");
+    const std::size_t index = arrow.symbol.find("_{");
     if (!of_center || index == std::string::npos || !arrow.symbol.ends_with('}')) continue;
     if (!panel.draws(arrow.at.body)) continue;
     const Vector at = panel.ground(arrow.at);
@@ -182,6 +183,41 @@ void draw_points(Panel& panel, const std::vector<scene::Arrow>& arrows, bool cut
   name_centers(panel, momenta.empty() ? arrows : momenta, std::move(named));
 }
 
+namespace {
+
+// The lines of a body on the paper: of a volume or a surface the sides of its triangles.
+std::vector<std::pair<Point2, Point2>> lines_of(const std::vector<Solid>& solids, const Projection& projection) {
+  std::vector<std::pair<Point2, Point2>> lines;
+  for (const Solid& solid : solids) {
+    if (solid.hole) continue;
+    std::vector<Point2> at;
+    for (const Vector& vertex : solid.vertices) at.push_back(projection(vertex));
+    for (const auto& line : solid.lines)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) lines.emplace_back(at[line[i]], at[line[i + 1]]);
+    for (const auto& triangle : solid.triangles)
+      for (std::size_t k = 0; k < 3; ++k) lines.emplace_back(at[triangle[k]], at[triangle[(k + 1) % 3]]);
+  }
+  return lines;
+}
+
+// The point of the lines that is nearest to another; this one if there are none.
+Point2 onto(const std::vector<std::pair<Point2, Point2>>& lines, Point2 from) {
+  Point2 nearest = from;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : lines) {
+    const Point2 along = b - a;
+    const double square = dot(along, along);
+    const Point2 at = a + (square > 0 ? std::clamp(dot(from - a, along) / square, 0.0, 1.0) : 0.0) * along;
+    if (const double away = norm(at - from); away < least) {
+      least = away;
+      nearest = at;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
 void draw_body_names(Panel& panel) {
   std::size_t shown = 0;
   for (const int body : panel.bodies)
@@ -212,17 +248,22 @@ void draw_body_names(Panel& panel) {
     }
     // On another body it would be read as that one's.
     const auto alone = std::make_shared<const Visibility>(solids, panel.projection);
-    panel.labels.push_back(
-        {std::move(label),
-         {{box.center(), {}, 3, 0},
-          {{box.center().x, box.top}, {0, -1}, 4, 2},
-          {{box.center().x, box.bottom}, {0, 1}, 4, 2},
-          {{box.left, box.center().y}, {-1, 0}, 4, 2},
-          {{box.right, box.center().y}, {1, 0}, 4, 2}},
-         0.5,
-         true,
-         Ink::grey,
-         [alone, &panel](Point2 at) { return panel.visibility.over_body(at) && !alone->over_body(at); }});
+    std::vector<Anchor> anchors{{box.center(), {}, 3, 0},
+                                {{box.center().x, box.top}, {0, -1}, 4, 2},
+                                {{box.center().x, box.bottom}, {0, 1}, 4, 2},
+                                {{box.left, box.center().y}, {-1, 0}, 4, 2},
+                                {{box.right, box.center().y}, {1, 0}, 4, 2}};
+    // A slanting rod is far from the middles of the sides of its box.
+    std::erase_if(solids, is_arm);
+    const auto lines = lines_of(solids, panel.projection);
+    constexpr double at_body = 6;
+    for (Anchor& anchor : anchors) {
+      const Point2 nearest = onto(lines, anchor.at);
+      if (norm(nearest - anchor.at) > at_body && !alone->over_body(anchor.at)) anchor = {nearest, {}, 4, anchor.cost};
+    }
+    panel.labels.push_back({std::move(label), std::move(anchors), 0.5, true, Ink::grey, [alone, &panel](Point2 at) {
+                              return panel.visibility.over_body(at) && !alone->over_body(at);
+                            }});
   }
 }
 

@@ -148,11 +148,12 @@ Matter matter_of(const scene::Scene& scene, const std::vector<int>& bodies, cons
       named.push_back(on_ground(symbol.place, poses));
       matter.held.push_back(named.back());
       matter.turns = matter.turns || (!touches(symbol) && !slides(symbol) && symbol.kind != scene::SymbolKind::weld);
-      if (norm(symbol.axis) > 0)
-        (touches(symbol)  ? matter.normals
-         : slides(symbol) ? matter.slides
-                          : matter.joint_axes)
-            .push_back(normalized(turned_to_ground(symbol.to, symbol.axis, poses)));
+      if (norm(symbol.axis) > 0) {
+        const Vector axis = normalized(turned_to_ground(symbol.to, symbol.axis, poses));
+        (touches(symbol) ? matter.normals : slides(symbol) ? matter.slides : matter.joint_axes).push_back(axis);
+        // A screw moves along its axis too.
+        if (symbol.kind == scene::SymbolKind::screw) matter.slides.push_back(axis);
+      }
       matter.touches = matter.touches || touches(symbol);
     } else if (touches(symbol) && symbol.from >= 0 && drawn(symbol.from)) {
       matter.touches = true;
@@ -339,9 +340,11 @@ std::optional<Vector> planar_normal(const Matter& matter, const Expected& axes) 
   for (const Plate& plate : matter.plates) across_plane.push_back(plate.normal);
   for (const auto& [rod, weight] : matter.rods) in_plane.push_back(rod);
   const bool straight = !matter.turns && (matter.touches || !matter.slides.empty());
-  // A turning alone lies in no plane.
-  const bool something_lies =
-      !in_plane.empty() || !matter.facets.empty() || matter.points.size() >= 2 || matter.touches || straight;
+  // A turning alone lies in no plane; nor does what stands on its shaft and weighs on it.
+  const bool upright = norm(matter.gravity) > 0 && !across_plane.empty() &&
+                       std::abs(dot(across_plane.front(), unit_or(matter.gravity, {}))) > 1 - 1e-6;
+  const bool something_lies = !in_plane.empty() || (!matter.facets.empty() && !upright) || matter.points.size() >= 2 ||
+                              matter.touches || straight;
   in_plane.insert(in_plane.end(), matter.slides.begin(), matter.slides.end());
   in_plane.insert(in_plane.end(), matter.ways.begin(), matter.ways.end());
   if (across_plane.empty() && (matter.touches || straight)) {

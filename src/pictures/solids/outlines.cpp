@@ -18,6 +18,8 @@ class Chains {
  public:
   void add(Point2 from, Point2 to, double depth) {
     if (norm(to - from) < 1e-4) return;
+    // One behind another, as both rims of a shell that is seen along its axis, would make a fork of each place.
+    if (!drawn_.insert(std::minmax(key(from), key(to))).second) return;
     pieces_.push_back({from, to, depth, false});
     ends_.emplace(key(from), pieces_.size() - 1);
     ends_.emplace(key(to), pieces_.size() - 1);
@@ -66,6 +68,7 @@ class Chains {
 
   std::vector<Piece> pieces_;
   std::multimap<Key, std::size_t> ends_;
+  std::set<std::pair<Key, Key>> drawn_;
 };
 
 // Keeps of a line, besides its ends, the points that it would be seen to miss: by `seen` or more.

@@ -37,6 +37,21 @@ bool springs_alone(const scene::Scene& scene, const scene::Symbol& symbol, const
   });
 }
 
+// Whether a place lies on the circle of a wheel that is drawn of the body: what winds there needs no arm.
+bool on_wheel(const scene::Scene& scene, const scene::Place& place) {
+  constexpr double alike = 1e-3;
+  return std::ranges::any_of(scene.curves, [&](const scene::Curve& curve) {
+    if (curve.kind != scene::CurveKind::pitch_circle || curve.body != place.body || curve.points.empty()) return false;
+    Vector middle{};
+    for (const Vector& point : curve.points) middle += point / static_cast<double>(curve.points.size());
+    const double radius = norm(curve.points.front() - middle);
+    const Vector axis =
+        normalized(cross(curve.points.front() - middle, curve.points[curve.points.size() / 4] - middle));
+    return std::abs(norm(place.at - middle) - radius) < alike * radius &&
+           std::abs(dot(place.at - middle, axis)) < alike * radius;
+  });
+}
+
 // The places at which something holds the body, acts on it or is fixed to it, each once.
 std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_points,
                               const std::vector<scene::Pose>& poses) {
@@ -54,7 +69,8 @@ std::vector<Vector> places_on(const scene::Scene& scene, int body, bool with_poi
   }
   for (const scene::Link& link : scene.links)
     for (const scene::Place& place : {link.from, link.to})
-      if (place.body == body && !(link.far && &place == &link.to)) add(on_ground(place, poses));
+      if (place.body == body && !(link.far && &place == &link.to) && !on_wheel(scene, place))
+        add(on_ground(place, poses));
   if (with_points)
     for (const scene::Point& point : scene.points)
       if (point.place.body == body) add(on_ground(point.place, poses));

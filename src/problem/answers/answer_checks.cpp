@@ -446,6 +446,10 @@ void add_notes(const Statement& statement, const Sample& sample, Solution& resul
                              stability_words(near));
       note_modes(statement, *instant, near, result);
       if (asks_response) note_free_swings(near, result);
+    } catch (const UnsteadyError& error) {
+      // A rotor in bearings is asked for what acts where it is drawn; a body that nothing drives leaves this motion.
+      result.notes.push_back("the steady motion" + (situation.name.empty() ? "" : " @ " + situation.name) +
+                             " is looked at where it is drawn; as it goes on, " + error.reason());
     } catch (const StatementError&) {
       // The statement does not say enough about what holds the motion, and stability is not reported.
     }

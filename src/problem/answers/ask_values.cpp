@@ -58,11 +58,25 @@ Diagnostic without_value(const Statement& statement, const Ask& ask) {
           "ask for it at another instant, or for the vector in place of its norm"};
 }
 
+// Adds the work done while it lives.
+class WorkCounter {
+ public:
+  explicit WorkCounter(Work& sum) : sum_(sum), before_(work_done()) {}
+  ~WorkCounter() { sum_ += work_done() - before_; }
+  WorkCounter(const WorkCounter&) = delete;
+  WorkCounter& operator=(const WorkCounter&) = delete;
+
+ private:
+  Work& sum_;
+  const Work before_;
+};
+
 }  // namespace
 
 void add_ask_value(const Statement& statement, Sample& sample, const AllSettings& settings, const OpenChoice& choice,
                    AskValues& values) {
   const Ask& ask = statement.asks[values.values.size()];
+  const WorkCounter counter(values.work);
   if (ask.extremum) {
     ExtremumFound found = ExtremumSearch(statement, ask, settings, choice).find();
     values.values.emplace_back(std::nullopt);

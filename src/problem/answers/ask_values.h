@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "poinsot/engine/work/budget.h"
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/watched_values.h"
 #include "problem/language/diagnostic.h"
 #include "problem/unknowns/sample.h"
@@ -22,6 +23,7 @@ struct AskValues {
   // For each ask that a motion does not answer or a velocity leaves open, the message.
   std::map<std::string, Diagnostic> unanswered;
   std::optional<BudgetEnd> ended;  // what ended the search for values before the last ones were found
+  Work work = 0;                   // that the values were
 
   // Whether the search ended before this ask.
   bool was_not_reached(const std::string& name, std::size_t index) const {

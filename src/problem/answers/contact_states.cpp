@@ -310,6 +310,12 @@ class ContactStates {
 
   [[noreturn]] void none_holds(bool searched) const {
     if (refusal_) throw StatementError(*refusal_);
+    if (const auto cord = cord_beyond_digits(statement_, settings_))
+      fail(
+          statement_.file, first_rough().friction->mark,
+          "friction lets one side of '" + *cord +
+              "' pull more than a billion times as hard as the other: whether it slips is beyond the digits of numbers",
+          "leave the friction or a load a letter: formulas are told all the same, or wind it less often");
     const Mark& mark = first_rough().friction->mark;
     if (!doubts_.empty())
       fail(statement_.file, mark,

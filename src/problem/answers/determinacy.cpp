@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "poinsot/engine/work/work_scope.h"
 #include "problem/answers/share_ranges.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
@@ -25,6 +26,9 @@ constexpr double same_tolerance = 1e-9;
 constexpr double refound_tolerance = 1e-7;
 // Of the natural size of an ask, where an answer is next to nothing beside its terms: ten times their rounding.
 constexpr double rounding_of_terms = 1e-11;
+
+// Times the work that all answers were; and what a motion may take that was followed before there were answers.
+constexpr Work most_of_the_work = 10, work_of_a_motion = 500'000'000;
 
 using Values = std::vector<std::optional<WatchedValue>>;
 
@@ -176,11 +180,15 @@ class Variation {
         continue;
       }
       // Open forces have no influence on anything but forces.
-      if (choice.forces && !choice.any && choice.gravity == 0 && !choice.velocities && !rests_on_forces(asks[i])) {
+      const bool only_forces = choice.forces && !choice.any && choice.gravity == 0 && !choice.velocities;
+      if (only_forces && !rests_on_forces(asks[i])) {
         values.push_back(base[i]);
         continue;
       }
       try {
+        // What they do not change takes the work that it took; what varies without order may be sought for long.
+        std::optional<WorkScope> scope;
+        if (only_forces) scope.emplace(std::max(most_of_the_work * found_.asked.work, work_of_a_motion));
         if (!asks[i].extremum)
           values.emplace_back(watched_value(found_.statement, sample, asks[i]));
         else if (base[i] && ExtremumSearch(found_.statement, asks[i], *settings, choice).is_at(base[i]->answer.number))
@@ -188,6 +196,10 @@ class Variation {
         else
           values.emplace_back(std::nullopt);
       } catch (const StatementError&) {
+        values.emplace_back(std::nullopt);
+      } catch (const BudgetEnded&) {
+        // Either this takes too long, or the caller waits no longer.
+        check_budget();
         values.emplace_back(std::nullopt);
       }
     }

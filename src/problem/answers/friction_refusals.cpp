@@ -1,6 +1,7 @@
 #include "problem/answers/friction_refusals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "problem/language/evaluate_support.h"
 #include "problem/language/expression_walk.h"
 #include "problem/machine/data.h"
+#include "problem/machine/machine.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
@@ -183,6 +185,20 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
                   : "extrema are not sought where contacts have friction, but for what they do at an instant",
            "write {smallest: mu, while: sticking(floor)}");
   }
+}
+
+std::optional<std::string> cord_beyond_digits(const Statement& statement, const Settings& settings) {
+  constexpr double most = 1e9;
+  for (const Situation& situation : statement.situations) try {
+      DataScope<double> data(situation, settings);
+      DataScope<TimeJet> timed(situation, settings, time_jet(0.0));
+      const AnyValue one = [](const Dimension&) { return 1.0; };
+      for (const auto& contact : build_machine(situation, data, timed, one, MachineOptions{}).rough_contacts)
+        if (contact.on_cord() && contact.friction_at_rest * contact.wrap > std::log(most)) return contact.name;
+    } catch (const StatementError&) {
+      // Letters may have no value.
+    }
+  return std::nullopt;
 }
 
 }  // namespace poinsot::problem

@@ -25,6 +25,7 @@
 #include "problem/formulas/formula_regimes.h"
 #include "problem/formulas/formula_search.h"
 #include "problem/formulas/formula_task.h"
+#include "problem/formulas/formula_words.h"
 #include "problem/formulas/law_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -127,6 +128,7 @@ class StatementSolver {
       find_regimes(task, grounds, held, solution);
       tell_conditions(task, grounds, held, solution);
       tell_laws(statement_, solution);
+      tell_units(task, solution);
     } catch (const BudgetEnded& ended) {
       solution = without;
       for (SolvedAsk& ask : solution.asks) {
@@ -352,6 +354,7 @@ class StatementSolver {
         std::unique_ptr<Sample> sample = before.sample ? std::move(before.sample) : sample_at(settings);
         // Letters at which the contacts with friction are in other states say nothing of this one.
         if (rough && !draws_.none() && attempt < most_draws && !sample->contact_states_hold()) continue;
+        sample->hold_forces_at_starts();
         AskValues values = std::move(before.values);
         try {
           while (values.values.size() < statement_.asks.size())

@@ -83,6 +83,16 @@ void replace_inertia(StatedInertia& inertia, const std::string& of, AnyReplacer&
   replacer.replace(inertia.transverse, (inertia.radii ? moment + "transverse" : "transverse") + of, dimension);
 }
 
+// Whether a comparison in one of the expressions has one of two relations.
+bool has_relation(const std::vector<Expression>& expressions, Relation one, Relation other) {
+  const auto has = [&](const auto& self, const Expression& expression) -> bool {
+    if (const Comparison* comparison = expression.as<Comparison>())
+      if (std::ranges::any_of(comparison->relations, [&](Relation r) { return r == one || r == other; })) return true;
+    return any_child(expression, [&](const Expression& part) { return self(self, part); });
+  };
+  return std::ranges::any_of(expressions, [&](const Expression& one_of) { return has(has, one_of); });
+}
+
 }  // namespace
 
 Situation with_letters_for_any(const Situation& situation) {
@@ -144,35 +154,54 @@ std::vector<Point> alike_points(const std::vector<Letter>& letters, const Point&
     return a.unit.dimension == b.unit.dimension && a.unit.dimension != dimensions::angle;
   };
   std::vector<Point> points;
-  Point all = from, at_zero;
+  Point all = from;
   for (const Letter& letter : letters) {
     const auto first = std::ranges::find_if(letters, [&](const Letter& other) { return alike(letter, other); });
     if (first != letters.end()) all[letter.name] = std::abs(from.at(first->name));
   }
-  at_zero = all;
-  for (const Letter& letter : letters)
-    if (letter.either_sign) at_zero[letter.name] = 0;
-  for (const Point& point : {all, at_zero})
+  const auto add_with_zeros = [&](const Point& point) {
     if (point != from) points.push_back(point);
-  constexpr std::size_t most_points = 12;
-  for (std::size_t i = 0; i < letters.size(); ++i)
-    for (std::size_t k = i + 1; k < letters.size() && points.size() < most_points; ++k)
-      if (alike(letters[i], letters[k])) {
-        points.push_back(from);
-        points.back()[letters[k].name] = std::abs(from.at(letters[i].name));
-      }
+    Point at_zero = point;
+    for (const Letter& letter : letters)
+      if (letter.either_sign) at_zero[letter.name] = 0;
+    if (at_zero != point && at_zero != from) points.push_back(at_zero);
+  };
+  add_with_zeros(all);
+  constexpr std::size_t most_pairs = 12;
+  const auto add_pairs = [&](double ratio) {
+    std::size_t added = 0;
+    for (std::size_t i = 0; i < letters.size(); ++i)
+      for (std::size_t k = i + 1; k < letters.size() && added < most_pairs; ++k)
+        if (alike(letters[i], letters[k])) {
+          points.push_back(from);
+          points.back()[letters[k].name] = ratio * std::abs(from.at(letters[i].name));
+          ++added;
+        }
+  };
+  add_pairs(1);
+  // Each is twice the one before of its kind, or half of it: a difference such as a - 2*b vanishes there.
+  for (const double ratio : {0.5, 2.0}) {
+    Point doubled = all;
+    bool any = false;
+    for (std::size_t k = 1; k < letters.size(); ++k)
+      for (std::size_t i = k; i-- > 0;)
+        if (alike(letters[i], letters[k])) {
+          doubled[letters[k].name] = ratio * doubled[letters[i].name];
+          any = true;
+          break;
+        }
+    if (any) add_with_zeros(doubled);
+    add_pairs(ratio);
+  }
   return points;
 }
 
-bool is_strict(const Claim& claim) {
-  const auto strict = [](const auto& self, const Expression& expression) -> bool {
-    if (const Comparison* comparison = expression.as<Comparison>())
-      if (std::ranges::any_of(comparison->relations,
-                              [](Relation r) { return r == Relation::less || r == Relation::greater; }))
-        return true;
-    return any_child(expression, [&](const Expression& part) { return self(self, part); });
-  };
-  return std::ranges::any_of(claim.of, [&](const Expression& one) { return strict(strict, one); });
+bool is_strict(const std::vector<Expression>& claimed) {
+  return has_relation(claimed, Relation::less, Relation::greater);
+}
+
+bool has_closed_end(const std::vector<Expression>& assumed) {
+  return has_relation(assumed, Relation::less_equal, Relation::greater_equal);
 }
 
 }  // namespace poinsot::problem

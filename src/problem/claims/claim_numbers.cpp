@@ -1,12 +1,14 @@
 #include "problem/claims/claim_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "poinsot/engine/work/work.h"
 #include "problem/claims/claim_attack.h"
 #include "problem/claims/claim_letters.h"
+#include "problem/course/motion_witness.h"
 #include "problem/language/diagnostic.h"
 #include "problem/unknowns/sample.h"
 
@@ -32,6 +34,9 @@ std::size_t modes_of(const Situation& situation, SolvedInstant& start) {
   return modes;
 }
 
+// What is assumed holds clearly, or where it ends and may just hold.
+bool may_be_assumed(const Verdict& assumed) { return assumed.holds && (!assumed.close || assumed.at_end); }
+
 class NumberTrier {
  public:
   NumberTrier(const Statement& statement, std::size_t situation_index, const Claim& claim, ClaimGround& ground)
@@ -53,12 +58,16 @@ class NumberTrier {
         faults.note(error, point);
       }
     }
+    // What is assumed may hold only at sizes that were not drawn.
+    if (const bool none = !found_.possible && !found_.refuted; none && understood_)
+      for (int attempt = 0; attempt < most && !found_.refuted && !limit.spent(); ++attempt) try_far(attempt, faults);
     // A claim may fail only where its assumptions just hold.
     for (int attempt = 0, tried = 0; attempt < most && tried < most_edge_starts && !found_.refuted; ++attempt) {
       if (limit.spent()) break;
       tried += try_at_edges(attempt, limit);
     }
-    if (found_.possible && !found_.refuted && is_strict(claim_) && !claims_stability(situation_, claim_)) try_alike();
+    if (found_.possible && !found_.refuted && is_strict(claim_.of) && !claims_stability(situation_, claim_))
+      try_alike();
     if (found_.possible && !found_.refuted && !states_equality(claim_.of)) attack(most);
     // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
     // reported.
@@ -73,7 +82,23 @@ class NumberTrier {
     return {.seed = 100 + static_cast<std::uint64_t>(attempt), .velocities = true, .direction = OpenChoice::every};
   }
 
-  bool is_assumed_at(const Point& point, int attempt) {
+  // Tries the claim at a point with sizes of six decades.
+  void try_far(int attempt, ClaimFaults& faults) {
+    constexpr double decades = 3;  // to either side
+    Point point = draw_point(ground_.letters(), attempt, ground_.sizes());
+    std::size_t k = static_cast<std::size_t>(attempt) * ground_.letters().size();
+    for (const Letter& letter : ground_.letters())
+      if (const double place = spread_evenly(k++); letter.unit.dimension != dimensions::angle)
+        point[letter.name] *= std::pow(10, decades * (2 * place - 1));
+    try {
+      try_at(point, attempt);
+    } catch (const StatementError& error) {
+      faults.note(error, point);
+    }
+  }
+
+  // to_the_end: whether sides that are closer than rounding of an instant allows to tell count as they stand.
+  bool is_assumed_at(const Point& point, int attempt, bool to_the_end = false) {
     const Settings settings = ground_.with_letters(point);  // must outlive the instant, which refers to it
     try {
       SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice_of(attempt));
@@ -83,7 +108,8 @@ class NumberTrier {
         judge_numbers(assumed, situation_, start, nullptr, expression, std::nullopt);
       for (const Expression& expression : claim_.assume)
         judge_numbers(assumed, situation_, start, nullptr, expression, claim_.axes);
-      return assumed.holds && !assumed.close && is_in_its_states(situation_, settings, start);
+      const bool may_be = to_the_end ? assumed.holds && !assumed.past_end : may_be_assumed(assumed);
+      return may_be && is_in_its_states(situation_, settings, start);
     } catch (const StatementError&) {
       return false;
     }
@@ -113,11 +139,30 @@ class NumberTrier {
         }
         try {
           try_at(inside, attempt);
+          if (ends_closed_ && !edges_met_) try_at_end(inside, outside, attempt);
         } catch (const StatementError&) {
           // There the situation has no solution, and nothing is claimed.
         }
       }
+    edges_met_ = true;
     return true;
+  }
+
+  // Tries a claim that may fail nowhere but where an assumption just holds: between a point that is assumed and one
+  // that is not. There numbers do not tell stability, and a strict inequality only where it fails clearly.
+  void try_at_end(Point inside, Point outside, int attempt) {
+    constexpr int to_the_last_digit = 56;
+    for (int i = 0; i < to_the_last_digit; ++i) {
+      Point middle = inside;
+      for (auto& [name, value] : middle) value = (value + outside.at(name)) / 2;
+      (is_assumed_at(middle, attempt, true) ? inside : outside) = middle;
+    }
+    const std::optional<Verdict> verdict = verdict_at(inside, attempt);
+    if (!verdict || !just_assumed_) return;
+    if (verdict->close || (!verdict->holds && claims_stability(situation_, claim_)))
+      found_.close_at_end = inside;
+    else if (!verdict->holds)
+      found_.refuted = {inside, *verdict};
   }
 
   // Tries the claim where letters are equal. What comes too near to its edge there is not taken for true.
@@ -175,7 +220,7 @@ class NumberTrier {
       found_.most_modes = std::max(found_.most_modes, modes_);
   }
 
-  // Nothing where an assumption fails or only just holds, or contacts with friction are in other states.
+  // Nothing where an assumption fails or rounding might decide on it, or contacts with friction are in other states.
   std::optional<Verdict> verdict_at(const Point& point, int attempt) {
     modes_ = 0;
     const Settings settings = ground_.with_letters(point);
@@ -199,7 +244,8 @@ class NumberTrier {
     for (const Expression& expression : situation_.assume) judge(assumed, expression, std::nullopt);
     for (const Expression& expression : claim_.assume) judge(assumed, expression, claim_.axes);
     understood_ = true;
-    if (!assumed.holds || assumed.close || !is_in_its_states(situation_, settings, start)) return std::nullopt;
+    just_assumed_ = assumed.close;
+    if (!may_be_assumed(assumed) || !is_in_its_states(situation_, settings, start)) return std::nullopt;
     Verdict verdict;
     for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
     if ((!verdict.holds || attempt == 0) && !(start.misfit_of_told().misfit < told_wrongly)) return std::nullopt;
@@ -231,7 +277,12 @@ class NumberTrier {
   const Claim& claim_;
   ClaimGround& ground_;
   bool understood_ = false;
-  std::size_t modes_ = 0;  // of a steady motion at the last point
+  // Whether the claim may fail just where an assumption ends, and whether that has been looked at from a point.
+  const bool ends_closed_ = (is_strict(claim_.of) || claims_stability(situation_, claim_)) &&
+                            (has_closed_end(claim_.assume) || has_closed_end(situation_.assume));
+  bool edges_met_ = false;
+  bool just_assumed_ = false;  // whether an assumption just held at the last point
+  std::size_t modes_ = 0;      // of a steady motion at the last point
   NumberTrials found_;
 };
 

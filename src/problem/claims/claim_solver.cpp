@@ -295,6 +295,11 @@ class ClaimSolver {
     if (trials.close_alike)
       return undetermined("where letters are equal, as at " + words_of_point(ground_.letters(), *trials.close_alike) +
                           ", it is too near the edge to be decided by numbers");
+    if (trials.close_at_end)
+      return undetermined("where what it assumes just holds, as at " +
+                          words_of_point(ground_.letters(), *trials.close_at_end) + ", " +
+                          (claims_stability(situation_, claim_) ? "the linearised equations do not decide it"
+                                                                : "it is too near the edge to be decided by numbers"));
     finish(trials.possible);
     if (result_.holds && claims_stability(situation_, claim_))
       result_.proved =

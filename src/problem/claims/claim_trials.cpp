@@ -31,16 +31,10 @@ bool is_identity(const WorkedCase& one, const FormulaComparison& comparison) {
   }
 }
 
-// Where a factor vanishes that is linear in a letter, the others being as at a point; nothing elsewhere.
-std::optional<double> root_of(const Formula& factor, const Point& at, const std::string& letter) {
-  std::map<std::string, Formula> others;
-  for (const auto& [name, number] : at)
-    if (name != letter) others[name] = Formula(number);
-  const Formula line = poinsot::substituted(factor, others);
-  const Formula slope = derivative(line, letter);
-  if (!slope.is_number() || slope.is_zero()) return std::nullopt;
-  const Formula start = poinsot::substituted(line, {{letter, Formula(0)}});
-  return start.is_number() ? std::optional(plain(-start / slope)) : std::nullopt;
+// Where a line vanishes, the other letters being as at a point.
+std::optional<double> root_at(const ClaimTrials::Line& line, const Point& at) {
+  const double root = -value_at(line.start, at) / value_at(line.slope, at);
+  return std::isfinite(root) ? std::optional(root) : std::nullopt;
 }
 
 }  // namespace
@@ -177,7 +171,22 @@ Verdict ClaimTrials::verdict(const Drawn& drawn) {
   return verdict;
 }
 
-const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
+const std::optional<ClaimTrials::Line>& ClaimTrials::Edge::line_along(const std::string& letter) {
+  const auto [known, fresh] = lines.try_emplace(letter);
+  if (!fresh) return known->second;
+  try {
+    const Formula slope = derivative(factor, letter);
+    const std::vector<std::string> in_slope = slope.letters();
+    if (!slope.is_zero() && std::ranges::find(in_slope, letter) == in_slope.end())
+      known->second = Line{poinsot::substituted(factor, {{letter, Formula(0)}}), slope};
+  } catch (const std::domain_error&) {
+  } catch (const FormulaTooLarge&) {
+    // It is told by no line: the edge is met along other letters.
+  }
+  return known->second;
+}
+
+std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
   if (edges_) return *edges_;
   edges_.emplace();
   const FormulaLimitScope limits({most_edge_terms, most_edge_work});
@@ -191,7 +200,7 @@ const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
       try {
         const Formula difference = one.apply(comparison.difference());
         if (difference.terms() > most_edge_terms) continue;
-        for (const Formula& factor : vanishing_factors(difference)) edges_->push_back({&one, factor});
+        for (const Formula& factor : vanishing_factors(difference)) edges_->push_back({&one, factor, {}});
       } catch (const std::domain_error&) {
       } catch (const FormulaTooLarge&) {
         // Such a comparison is tried at random points only.
@@ -203,9 +212,8 @@ const std::vector<ClaimTrials::Edge>& ClaimTrials::edges() {
 // Points of an edge at which one of three moments is the sum or the difference of two others as well: a flat body has
 // such moments, and one whose products of inertia reach what its moments allow is thin, which an edge alone does not
 // meet. The other moments of the edge are taken as large as a product in it, so that all of them have few digits.
-std::vector<Point> ClaimTrials::where_bodies_end(const Drawn& from, const Formula& edge,
-                                                 const std::string& letter) const {
-  const std::vector<std::string> on = edge.letters();
+std::vector<Point> ClaimTrials::where_bodies_end(const Drawn& from, const Edge& edge, const std::string& letter) const {
+  const std::vector<std::string> on = edge.factor.letters();
   const auto on_edge = [&](const std::string& name) { return std::ranges::find(on, name) != on.end(); };
   std::vector<std::string> moments;
   std::optional<double> product;
@@ -219,7 +227,7 @@ std::vector<Point> ClaimTrials::where_bodies_end(const Drawn& from, const Formul
   Point at_edge = from.free;
   for (const std::string& moment : moments)
     if (product && on_edge(moment)) at_edge[moment] = *product;
-  const std::optional<double> root = root_of(edge, at_edge, letter);
+  const std::optional<double> root = root_at(*edge.lines.at(letter), at_edge);
   if (!root) return {};
   at_edge[letter] = *root;
   std::vector<Point> points;
@@ -256,14 +264,16 @@ std::vector<ClaimTrials::Drawn> ClaimTrials::at_edges(const Drawn& from, int att
     for (Point& alike : alike_points(free_letters(*from.of), from.free))
       if (auto drawn = completed(*from.of, std::move(alike), true)) found.push_back(std::move(*drawn));
   const FormulaLimitScope limits({most_edge_terms, most_edge_work});
-  for (const Edge& edge : edges()) {
+  for (Edge& edge : edges()) {
     if (edge.of != from.of) continue;
     const std::vector<std::string> letters = edge.factor.letters();
     for (std::size_t k = 0; k < std::min(letters.size(), most_edge_letters); ++k) try {
         const std::string& letter = letters[(static_cast<std::size_t>(attempt) + k) % letters.size()];
-        for (Point& thin : where_bodies_end(from, edge.factor, letter))
+        const std::optional<Line>& line = edge.line_along(letter);
+        if (!line) continue;
+        for (Point& thin : where_bodies_end(from, edge, letter))
           if (auto drawn = completed(*from.of, std::move(thin), true)) found.push_back(std::move(*drawn));
-        const std::optional<double> where = root_of(edge.factor, from.free, letter);
+        const std::optional<double> where = root_at(*line, from.free);
         if (!where) continue;
         const double root = *where;
         // Just beside the edge: near enough for what fails only there, and far enough that the digits of a formula show

@@ -24,6 +24,11 @@ class ClaimTrials {
               const DrawnSizes& sizes)
       : formulas_(formulas), worked_(worked), letters_(letters), sizes_(sizes) {}
 
+  // What is linear in a letter: start + slope*letter.
+  struct Line {
+    Formula start, slope;
+  };
+
   // A point at which the assumptions hold, drawn for one of the cases.
   struct Drawn {
     Point point;
@@ -50,9 +55,13 @@ class ClaimTrials {
   struct Edge {
     const WorkedCase* of;
     Formula factor;
+    std::map<std::string, std::optional<Line>> lines;  // along each letter that was asked for
+
+    // Nothing where it is not linear in the letter.
+    const std::optional<Line>& line_along(const std::string& letter);
   };
-  const std::vector<Edge>& edges();
-  std::vector<Point> where_bodies_end(const Drawn& from, const Formula& edge, const std::string& letter) const;
+  std::vector<Edge>& edges();
+  std::vector<Point> where_bodies_end(const Drawn& from, const Edge& edge, const std::string& letter) const;
   std::optional<Drawn> completed(const WorkedCase& one, Point free, bool edge = false);
   std::optional<double> exactly(const FormulaComparison& comparison, const Drawn& drawn, double size);
   Verdict compared(const FormulaComparison& comparison, const Drawn& drawn, const Dimension& dimension);

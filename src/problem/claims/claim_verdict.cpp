@@ -81,10 +81,16 @@ void Verdict::judge(double left, double right, Relation relation, double natural
       holds_here = left > right;
       break;
   }
-  if (relation != Relation::equal && equal)
+  if (relation != Relation::equal && equal) {
     close = true;
-  else if (!holds_here)
+    past_end = past_end || (!holds_here && left != right);
+    constexpr double last_digits = 4e-15;  // some ten roundings of the sides
+    const bool allowed_there = relation == Relation::less_equal || relation == Relation::greater_equal;
+    at_end =
+        at_end && allowed_there && std::abs(left - right) <= last_digits * std::max(std::abs(left), std::abs(right));
+  } else if (!holds_here) {
     refute(left, right, of);
+  }
 }
 
 void Verdict::refute(double left, double right, const Dimension& of) {
@@ -105,10 +111,13 @@ void judge_numbers(Verdict& verdict, const Situation& situation, SolvedInstant& 
       fail(situation.file, expression.mark(), "'" + to_string(expression) + "' claims nothing",
            "compare it with something");
     const Call* call = expression.as<Call>();
-    if (!truth.truth && call && call->function == "stable" && value(stability_of(*call, expression)).text != "unstable")
+    if (!truth.truth && call && call->function == "stable" &&
+        value(stability_of(*call, expression)).text != "unstable") {
       verdict.close = true;
-    else
+      verdict.at_end = false;
+    } else {
       verdict.holds = verdict.holds && truth.truth;
+    }
     return;
   }
   std::vector<Value<double>> sides;

@@ -14,6 +14,8 @@ namespace poinsot::problem {
 struct Verdict {
   bool holds = true;
   bool close = false;                              // whether the sides are so close that rounding might decide
+  bool at_end = true;                              // whether sides so close are equal to the last digits, as allowed
+  bool past_end = false;                           // whether sides so close do not hold as they stand
   bool exact = false;                              // whether it was decided without rounding all the same
   std::optional<std::pair<double, double>> sides;  // of the comparison that does not hold
   std::optional<double> difference;  // the difference of the sides, if it was decided exactly and rounding hides it

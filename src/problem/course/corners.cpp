@@ -76,7 +76,42 @@ class CornerWalk {
   std::set<std::string> known_;
 };
 
+constexpr std::array<std::string_view, 8> of_places{"position",  "center", "distance", "norm",
+                                                    "component", "abs",    "min",      "max"};
+
+class PlaceWalk {
+ public:
+  explicit PlaceWalk(const Situation& situation) : situation_(situation) {}
+
+  bool holds(const Expression& expression) {
+    if (!expression) return true;
+    if (expression.as<At>()) return false;
+    if (const Name* name = expression.as<Name>()) {
+      if (name->primes > 0) return false;
+      for (const auto* items : {&situation_.define, &situation_.given}) {
+        const auto found = std::ranges::find(*items, name->name, &NamedExpression::name);
+        if (found != items->end() && known_.insert(found->name).second && !holds(found->value)) return false;
+      }
+      return true;
+    }
+    const Call* call = expression.as<Call>();
+    if (call && std::ranges::find(of_places, call->function) == of_places.end()) return false;
+    const Binary* quotient = expression.as<Binary>();
+    if (quotient && (quotient->operation == '/' || quotient->operation == '^') && !quotient->right.as<Number>())
+      return false;
+    return !any_child(expression, [&](const Expression& child) { return !holds(child); });
+  }
+
+ private:
+  const Situation& situation_;
+  std::set<std::string> known_;
+};
+
 }  // namespace
+
+bool is_of_places(const Situation& situation, const Expression& expression) {
+  return PlaceWalk(situation).holds(expression);
+}
 
 std::vector<CornerOf> corners_of(const Situation& situation, const Expression& expression) {
   CornerWalk walk(situation);

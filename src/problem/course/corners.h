@@ -20,4 +20,7 @@ struct CornerOf {
 // first, and of each kind those within others.
 std::vector<CornerOf> corners_of(const Situation& situation, const Expression& expression);
 
+// Whether a number is one of places alone, which come to rest where bodies do: no rates, nothing divided by a place.
+bool is_of_places(const Situation& situation, const Expression& expression);
+
 }  // namespace poinsot::problem

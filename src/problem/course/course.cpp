@@ -68,12 +68,15 @@ Course::Course(const Situation& situation, const Settings& settings, const OpenC
   const std::vector<std::vector<double>> moving_nothing = take_massless(start_->machine(), open);
   const auto flies = [&](const std::vector<double>& direction) { return carries_along(start_->machine(), direction); };
   open_flights_ = flights_open && !open.empty() && std::ranges::all_of(open, flies);
-  if (!choice.trial && !choice.velocities && !open_flights_ && !open.empty())
-    throw UnansweredError(
-        situation.file, mark_of(0),
-        words_of(0) + " is not fixed at its start: " +
-            std::string(start_->velocity_equations().name(start_->velocities().share.front().front())) + " is unknown",
-        "state it under instants: {start: {...}}");
+  if (!choice.trial && !choice.velocities && !open_flights_ && !open.empty()) {
+    // Of what moves masses that which moves most in the first direction that is open.
+    const auto most = std::ranges::max_element(open.front(), {}, [](double part) { return std::abs(part); });
+    const auto unknown = static_cast<std::size_t>(most - open.front().begin());
+    throw UnansweredError(situation.file, mark_of(0),
+                          words_of(0) + " is not fixed at its start: " +
+                              std::string(start_->velocity_equations().name(unknown)) + " is unknown",
+                          "state it under instants: {start: {...}}");
+  }
   for (const std::vector<std::size_t>& share : start_->velocities().share) {
     std::vector<std::string>& names = open_turnings_.emplace_back();
     for (const std::size_t k : share) names.emplace_back(start_->velocity_equations().name(k));
@@ -201,6 +204,21 @@ bool Course::dissipates() const {
   });
   return !timed_ && machine.accelerations.empty() && !laws_feed(machine.mechanism) &&
          (laws_drain(machine.mechanism) || blows_drain);
+}
+bool Course::ends_in_center(double time) {
+  // Of the distance at the start, and of the direction then, which what falls straight down keeps.
+  constexpr double as_good_as_there = 1e-2, straight = 1e-8;
+  const Mechanism<double>& mechanism = start_->machine().mechanism;
+  Workspace<double> begun(mechanism.tree), now(mechanism.tree);
+  update_poses<double>(mechanism.tree, begun, at(0).q);
+  update_poses<double>(mechanism.tree, now, at(time).q);
+  for (const AttractionLaw<double>& pull : mechanism.attractions)
+    for (const AttractedPart<double>& part : pull.parts)
+      if (const Vector3<double> from = pull.way_to(mechanism.tree, begun, part),
+          left = pull.way_to(mechanism.tree, now, part);
+          norm(left) < as_good_as_there * norm(from) && norm(cross(left, from)) < straight * norm(left) * norm(from))
+        return true;
+  return false;
 }
 bool Course::has_springs() const { return laws_store(start_->machine().mechanism); }
 

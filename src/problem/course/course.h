@@ -122,6 +122,7 @@ class Course : public FollowedMotion {
   bool dissipates() const override;
   bool has_springs() const override;
   bool rests_at(double time) const override { return rests_from_ && time >= *rests_from_ && time <= reached(); }
+  bool ends_in_center(double time) override;
   double repeats_to(double range) const override;
 
   // Velocities that are open at the start and move no mass, so that they are taken as zero: for each open direction

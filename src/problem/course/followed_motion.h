@@ -31,6 +31,8 @@ class FollowedMotion {
   virtual bool has_springs() const = 0;
   // Whether nothing moves any more at a time to which it has been followed, nor ever will: friction holds it all.
   virtual bool rests_at(double /*time*/) const { return false; }
+  // Whether at a time to which it has been followed what a center pulls has as good as come there, where it ends.
+  virtual bool ends_in_center(double /*time*/) { return false; }
   // The part of its range to which a number returns where the motion repeats: its error along some periods. range: in
   // the natural size of such numbers.
   virtual double repeats_to(double /*range*/) const { return 1e-7; }

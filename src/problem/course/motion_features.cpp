@@ -147,6 +147,23 @@ bool MotionFeatures::goes_away(const NumberSamples& sampled, bool upwards) const
          std::abs(last - third) >= 1.9 * std::abs(third - second);
 }
 
+// When a motion that cannot be followed until a time ends in the center that pulls it; nothing if it does not.
+std::optional<double> MotionFeatures::fall_before(double until) const {
+  constexpr int halvings = 40;
+  double followed = 0, beyond = until;
+  // No nearer than is needed to see it: what is kept is kept less and less closely.
+  for (int k = 0; k < halvings && !(followed > 0 && motion_.ends_in_center(followed)); ++k) {
+    const double middle = followed + (beyond - followed) / 2;
+    try {
+      static_cast<void>(motion_.nodes(0, middle));
+      followed = middle;
+    } catch (const UnansweredError&) {
+      beyond = middle;
+    }
+  }
+  return followed > 0 && motion_.ends_in_center(followed) ? std::optional(followed) : std::nullopt;
+}
+
 ExtremeFound MotionFeatures::extreme(bool largest) const {
   const std::string ending = "say how long the motion lasts: stages: {run: {lasts: 10 s}}";
   const std::optional<double> end = motion_.end();
@@ -156,7 +173,29 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
   const WorkLimit work(most_work_of_extreme);
   for (double until = 4 * motion_.pace_time();
        (constant || !motion_.followed_enough(until / 2)) && !(end && until > *end); until *= 2) {
-    const NumberSamples sampled = number_.samples(0, until);
+    std::optional<double> fallen;
+    const NumberSamples sampled = [&] {
+      try {
+        return number_.samples(0, until);
+      } catch (const UnansweredError&) {
+        fallen = fall_before(until);
+        if (!fallen) throw;
+        return number_.samples(0, *fallen);
+      }
+    }();
+    if (fallen) {
+      ExtremeFound best = outermost(sampled, largest);
+      // Of the time, and of the range: what is left of the way is a hundredth.
+      constexpr double at_the_end = 1e-2, left_over = 2e-2;
+      const auto [least, most] = std::ranges::minmax(sampled.value);
+      if (best.time >= (1 - at_the_end) * *fallen ||
+          std::abs(best.value - sampled.value.back()) <= left_over * (most - least))
+        number_.unanswered(std::string(" goes on ") + (largest ? "growing" : "falling") +
+                           " until the motion ends in the center that pulls, at " + with_digits(*fallen, 6) +
+                           " s: it has no " + (largest ? "largest" : "smallest") + " value");
+      best.fallen = *fallen;
+      return best;
+    }
     const auto [low, high] = std::minmax_element(sampled.value.begin(), sampled.value.end());
     constant = *high - *low <= std::max(constant_to * std::max(std::abs(*high), std::abs(*low)),
                                         constant_beside * number_.natural_size());

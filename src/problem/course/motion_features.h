@@ -45,6 +45,7 @@ class MotionFeatures {
   std::vector<ExtremeFound> extremes(const NumberSamples& sampled, bool largest) const;
   std::optional<ExtremeFound> met_twice(const NumberSamples& sampled, bool largest, double range) const;
   ExtremeFound extreme(bool largest) const;
+  std::optional<double> fall_before(double until) const;
   ExtremeFound outermost(const NumberSamples& sampled, bool largest) const;
   bool has_settled(const NumberSamples& sampled, bool largest, const ExtremeFound& best) const;
   bool is_sudden(const NumberSamples& sampled, std::size_t from) const;

@@ -289,6 +289,10 @@ Value<double> Course::feature(const Call& call, const std::optional<Expression>&
     return Value<double>::of_number(period, dimensions::time);
   }
   const ExtremeFound found = call.function == "min" ? features.smallest() : features.largest();
+  if (found.fallen > 0 && !is_of_places(situation_, of))
+    throw UnansweredError(situation_.file, mark,
+                          "the motion ends in the center that pulls, at " + with_digits(found.fallen, 6) +
+                              " s: extremes up to there are told of places alone");
   extremes_until_ = std::max(extremes_until_, features.latest());
   asked_extremes_.push_back({call, axes, mark, found.value});
   tell({words,
@@ -315,7 +319,10 @@ void Course::tell_how(const ExtremeFound& found, const Call& call) {
   const std::string words = call.function + "(" + to_string(call.arguments.front().value) + ")";
   constexpr double rounding_of_times = 1e-12;  // which are sums over the steps
   std::string note;
-  if (found.settled > 0) {
+  if (found.fallen > 0) {
+    note = words + " was told up to " + with_digits(found.fallen, 6) +
+           " s, where the motion ends in the center that pulls";
+  } else if (found.settled > 0) {
     note = words + " was told from " + with_digits(found.settled, 4) + " s of a motion that does not repeat";
   } else if (const std::optional<double> last = end();
              last && found.time > 0 && found.time >= *last * (1 - rounding_of_times)) {

@@ -20,6 +20,8 @@ struct ExtremeFound {
   // For an endless motion that does not repeat: the time at which it was clear that no later value exceeds this one,
   // s.
   double settled = 0;
+  // Of a motion that ends in the center that pulls it: when, s.
+  double fallen = 0;
 };
 
 // What tells where a number has a corner: a number that is smooth along the motion has a zero there, or an extreme.

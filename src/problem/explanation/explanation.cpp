@@ -312,6 +312,16 @@ class Explainer {
         formulas.reset();
       }
     }
+    // Numbers at values that nobody stated would say nothing.
+    const std::string suffix = suffix_of(home.situation) + instant_words(home);
+    if (!formulas && !open.empty() && !home.time && !home.ending) {
+      explanation_.sections.push_back({(before ? "Impulse and momentum" : "Component equations") + suffix,
+                                       {{"In letters these equations have no closed form; what is told below comes "
+                                         "from their solutions at values of "
+                                         "the letters.",
+                                         {}}}});
+      return;
+    }
     // Without formulas a mass that may be any is seen in numbers alone.
     if (formulas) open.insert(open.end(), masses.begin(), masses.end());
     ExplanationTex tex(stated, std::move(open));
@@ -328,7 +338,6 @@ class Explainer {
     }
     if (stated.habits.customary()) tex.set_letters(in_shown_units);
     const std::vector<Formula> factors = factors_of(values);
-    const std::string suffix = suffix_of(home.situation) + instant_words(home);
     InstantExplainer(stated, instant, before, formulas.get(), point, factors, tex, questions,
                      numbers_.settings()[home.situation], explanation_)
         .explain(suffix, home.time || home.ending);

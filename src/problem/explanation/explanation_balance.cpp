@@ -151,7 +151,7 @@ void InstantExplainer::explain_system(const std::set<int>& bodies, bool only, st
   }
   std::vector<Row> rows;
   for (std::size_t row = 0; row < 6; ++row) rows.push_back(row_of(system, numbers, formulas, row));
-  const Plane plane = plane_of(bodies, rows);
+  const Plane plane = plane_of(system, rows);
   const std::set<std::string> across = symbols_across(rows, plane);
   const Meeting meet = meeting(system, numbers, held.has_value());
   const std::string who = only ? "" : " of " + names_of(bodies);

@@ -57,10 +57,24 @@ void InstantExplainer::friction_step(std::size_t i, ExplainedSection& here) {
                           {}});
 }
 
+// The law at its limit with what the equations have given for both sides: an equation for what is sought.
+std::optional<std::string> InstantExplainer::law_in_letters(const std::vector<Symbol>& friction,
+                                                            const std::string& coefficient, const Symbol& push) const {
+  if (friction.size() != 1 || !friction.front().shown.formula || !push.shown.formula) return std::nullopt;
+  const Formula& along = *friction.front().shown.formula;
+  const std::optional<std::string> left = ExplanationTex::formula(friction.front().value < 0 ? -along : along),
+                                   right = ExplanationTex::formula(*push.shown.formula);
+  if (!left || !right) return std::nullopt;
+  const bool several = push.shown.formula->terms() > 2;  // one above and one below the line is a product
+  return *left + " = " + coefficient + (several ? "\\left(" + *right + "\\right)" : *right);
+}
+
 // By Coulomb's law the contacts stick whose friction the equations tell; what they leave open is shared so that they
-// do. At a limit of sticking there is one share, and the law holds as an equality where something is about to slip.
+// do. At a limit of sticking there is one share, and the law holds as an equality where something is about to slip:
+// that alone is told of letters without value.
 void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
-  if (sudden() || !figures_.numbers.forces || tex_.letters_open()) return;
+  if (sudden() || !figures_.numbers.forces) return;
+  const bool known = !tex_.letters_open();
   const std::optional<StickingForces> sticking = sticking_forces(solved_);
   if (!sticking) return;
   const std::size_t first = solve::force_unknowns(mechanism()).accelerations;
@@ -102,7 +116,12 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
                                 : coefficient_in_tex(static_cast<std::size_t>(contact - rough.begin()))) +
         "\\,";
     const auto in_newtons = [&](double value) { return tex_.with_unit(value, dimensions::force); };
-    if (amount > (1 - about_to_slip) * limit) {
+    if (amount > (1 - about_to_slip) * limit && !known) {
+      slipping.push_back(name);
+      at_limit.push_back({"", left + " = " + coefficient + push.tex, {}, 0});
+      if (const std::optional<std::string> law = law_in_letters(friction, coefficient, push))
+        at_limit.push_back({"", *law, {}, 0});
+    } else if (amount > (1 - about_to_slip) * limit) {
       slipping.push_back(name);
       at_limit.push_back(
           {"", left + " = " + coefficient + push.tex + " = " + in_newtons(limit), {amount, limit, limit}, limit});
@@ -121,6 +140,7 @@ void InstantExplainer::sticking_step(const std::vector<Symbol>& unknowns) {
   if (!at_limit.empty())
     here.steps.push_back(
         {all_names(slipping, " is", " are") + " about to slip, where Coulomb's law holds as an equality:", at_limit});
+  if (!known) return;
   if (!idle.empty()) here.steps.push_back({all_names(idle, " carries", " carry") + " nothing.", {}});
   if (open)
     here.steps.push_back({at_limit.empty() && idle.empty()
@@ -248,6 +268,17 @@ std::optional<ExplainedStep> InstantExplainer::law_of_joint(std::size_t contact,
                          (rough.pressing.empty() ? "as stated" : words_of_bearing(contact)) + ":",
                      {}};
   const std::string left = size_of_sum(frictions), value = tex_.with_unit(limit, dimension);
+  if (tex_.letters_open()) {
+    const std::string largest =
+        tex_.value(shown([&](const auto& figures) {
+                     const auto& own = figures.machine->rough_contacts[contact];
+                     return (sticks ? own.resting : own.sliding) * rough_force(figures.now, figures.unknowns, own).push;
+                   }),
+                   dimension);
+    if (!at_limit || largest.empty()) return std::nullopt;
+    step.equations.push_back({"", left + " = " + largest, {}, 0});
+    return step;
+  }
   const std::string product = sum.empty() ? ""
                                           : tex_.number(coefficient, dimensions::none) +
                                                 (terms > 1 ? "\\left(" + sum + "\\right)" : "\\cdot " + sum) + " = ";
@@ -266,7 +297,7 @@ void InstantExplainer::law_steps(const std::vector<Symbol>& unknowns) {
     std::optional<ExplainedStep> step;
     if (rough[k].on_cord())
       step = law_of_cord(k);
-    else if (rough[k].in_joint() && !tex_.letters_open())
+    else if (rough[k].in_joint())
       step = law_of_joint(k, unknowns);
     if (step) section("Friction").steps.push_back(std::move(*step));
   }

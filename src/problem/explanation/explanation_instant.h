@@ -205,7 +205,7 @@ class InstantExplainer {
   Dimension row_dimension(std::size_t row) const;
   bool acts_in(const ShownTerm& term, std::size_t row) const;
   // The axis across which neither motion nor forces go, if the rows of the plane stand alone.
-  Plane plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const;
+  Plane plane_of(const System& system, const std::vector<Row>& rows) const;
   bool moves_in_plane(const std::set<int>& bodies, std::size_t axis) const;
   // Whether one of the bodies has a velocity, or had one before a blow.
   bool moves(const std::set<int>& bodies) const;
@@ -230,6 +230,8 @@ class InstantExplainer {
   void list_unknowns(const std::vector<Symbol>& listed);
   // The name of a direction of the statement along which, or against which (sign -1), a vector is; "" for another.
   std::pair<std::string, double> named_direction(const Vector3<double>& along) const;
+  std::optional<std::string> law_in_letters(const std::vector<Symbol>& friction, const std::string& coefficient,
+                                            const Symbol& push) const;
   void sticking_step(const std::vector<Symbol>& listed);
   // The laws of friction in joints and of cords on what they are led over, beside the forces that were found.
   void law_steps(const std::vector<Symbol>& listed);

@@ -161,14 +161,18 @@ bool InstantExplainer::acts_in(const ShownTerm& term, std::size_t row) const {
 }
 
 bool InstantExplainer::moves_in_plane(const std::set<int>& bodies, std::size_t axis) const {
+  const auto has_mass = [&](int body) { return mechanism().tree.body(body).inertia.mass > 0; };
+  // What has no mass counts where nothing else is there.
+  const bool massless = std::ranges::none_of(bodies, has_mass);
   const auto within = [&](const solve::MechanismState& state, int body) {
     const auto& motion = state.workspace().motion[static_cast<std::size_t>(body + 1)];
-    const Vector3<double> v = motion.v + cross(motion.w, Vector3<double>(mass_of(state, body).center - motion.p));
+    Vector3<double> v = motion.v;
+    if (has_mass(body)) v += cross(motion.w, Vector3<double>(mass_of(state, body).center - motion.p));
     return is_rounding(v[axis], noise_size(dimensions::velocity)) &&
            is_rounding(norm(cross(motion.w, Vector3<double>::unit(axis))), noise_size(dimensions::angular_velocity));
   };
   return std::ranges::all_of(bodies, [&](int body) {
-    if (!(mechanism().tree.body(body).inertia.mass > 0)) return true;
+    if (!has_mass(body) && !massless) return true;
     return within(figures_.numbers.now, body) && (!figures_.numbers.before || within(*figures_.numbers.before, body));
   });
 }
@@ -185,10 +189,16 @@ bool InstantExplainer::moves(const std::set<int>& bodies) const {
   });
 }
 
-InstantExplainer::Plane InstantExplainer::plane_of(const std::set<int>& bodies, const std::vector<Row>& rows) const {
+InstantExplainer::Plane InstantExplainer::plane_of(const System& system, const std::vector<Row>& rows) const {
   if (situation_.plane) return situation_.plane->normal();
+  // What another body, or how it moves, is found to exert across a plane is more than open.
+  const auto exerts = [&](const std::string& symbol) {
+    return std::ranges::any_of(system.unknown, [&](const Symbol& one) {
+      return one.tex == symbol && one.determined && !is_rounding(one.value, noise_size(one.dimension));
+    });
+  };
   for (const std::size_t axis : {2, 1, 0}) {
-    if (!moves_in_plane(bodies, axis)) continue;
+    if (!moves_in_plane(system.plan.bodies, axis)) continue;
     std::set<std::string> within, across;
     bool plane = true, anything = false;
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -199,7 +209,7 @@ InstantExplainer::Plane InstantExplainer::plane_of(const std::set<int>& bodies, 
           if (!crosses) {
             anything = true;
             if (!term.symbol.empty()) within.insert(term.symbol);
-          } else if (term.symbol.empty() ||
+          } else if (term.symbol.empty() || exerts(term.symbol) ||
                      (side == &rows[row].right && !is_rounding(term.value, noise_size(term.dimension)))) {
             plane = false;
           } else {

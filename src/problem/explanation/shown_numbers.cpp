@@ -21,16 +21,58 @@ constexpr int most_draws = 40;  // of open letters, until the statement makes se
 // sense.
 constexpr int near_units = 8;
 
-// The first values are nearly the units; later ones are those that rigid bodies are likely to have.
-double alike_value(const Letter& letter, const std::vector<Letter>& letters, int attempt, std::mt19937_64& random) {
+// Which of the lengths in letters is the how manieth largest. At first those with capitals are larger, as people write
+// R and r, and those before others; then by chance.
+std::vector<std::string> lengths_by_size(const std::vector<Letter>& letters, int attempt, std::mt19937_64& random) {
+  std::vector<std::string> names;
+  for (const Letter& letter : letters)
+    if (letter.unit.dimension == dimensions::length && !letter.either_sign) names.push_back(letter.name);
+  if (attempt == 0)
+    std::ranges::stable_partition(
+        names, [](const std::string& name) { return std::isupper(static_cast<unsigned char>(name.front())) != 0; });
+  else
+    std::ranges::shuffle(names, random);
+  return names;
+}
+
+// The first values are nearly the units, and lengths are seen to differ; later ones are those that rigid bodies are
+// likely to have.
+std::map<std::string, double> alike_values(const std::vector<Letter>& letters, int attempt, std::mt19937_64& random) {
   constexpr int alike_draws = 8;
-  if (attempt >= alike_draws) return draw_point(letters, 2 * (attempt - alike_draws) + 1).at(letter.name);
+  if (attempt >= alike_draws) return draw_point(letters, 2 * (attempt - alike_draws) + 1);
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  if (letter.unit.dimension == dimensions::angle) return between(0.4, 0.8);
-  // A product of inertia, or an offset, is small beside moments and lengths.
-  return letter.unit.factor * (letter.either_sign ? between(0.1, 0.3) : between(0.8, 1.25));
+  constexpr double longest = 1.2, next = 0.75;  // of the unit; of the one before
+  std::map<std::string, double> values;
+  for (const Letter& letter : letters) {
+    // A product of inertia, or an offset, is small beside moments and lengths.
+    values[letter.name] = letter.unit.dimension == dimensions::angle
+                              ? between(0.4, 0.8)
+                              : letter.unit.factor * (letter.either_sign ? between(0.1, 0.3) : between(0.8, 1.25));
+  }
+  double size = longest;
+  for (const std::string& name : lengths_by_size(letters, attempt, random)) {
+    values[name] = size * std::ranges::find(letters, name, &Letter::name)->unit.factor;
+    size *= next;
+  }
+  return values;
+}
+
+// The values at which the file itself says what its formulas should give: their author knows which proportions are
+// usual. Empty where it gives no values for some letter.
+std::map<std::string, double> values_of_author(const Statement& statement, const std::vector<Letter>& letters) {
+  for (const ExpectedCase& one : statement.expected) try {
+      const Settings settings = read_settings(statement, one.sets);
+      std::map<std::string, double> values;
+      for (const Letter& letter : letters)
+        if (const auto set = settings.find(letter.name); set != settings.end() && set->second.is_number())
+          values[letter.name] = set->second.number;
+      if (values.size() == letters.size()) return values;
+    } catch (const StatementError&) {
+      // Values that are refused draw nothing.
+    }
+  return {};
 }
 
 // Whether a datum appears in formulas as a number, since it makes terms vanish (0, 90 deg) or is a count (2).
@@ -102,30 +144,39 @@ std::vector<std::string> ShownNumbers::open_letters(std::optional<std::size_t> s
   return names;
 }
 
-// Chooses the numbers of the solution: settings, the unknowns found, and random values of open letters until
-// everything can be solved.
+// Gives what is moved to a limit its value there. Returns false where a letter would not be positive, as all are: the
+// limit is found for other values of the letters.
+bool ShownNumbers::set_limits() {
+  for (const auto& [at, ask] : limits_) {
+    const SolvedAsk& limit = solution_.asks[ask];
+    const std::string& name = statement_.asks[ask].extremum->name;
+    const Value<double> value =
+        has_number(limit) ? limit.value
+                          : Value<double>::of_number(value_at(limit.formula->number, drawn_), limit.formula->dimension);
+    const auto letter = std::ranges::find(situation(at).letters, name, &Letter::name);
+    if (letter != situation(at).letters.end() && !letter->either_sign && letter->unit.dimension != dimensions::angle &&
+        !(value.number > 0))
+      return false;
+    settings_[at][name] = value;
+  }
+  return true;
+}
+
+// Chooses the numbers of the solution: settings, the unknowns found, and values of open letters until everything can be
+// solved.
 bool ShownNumbers::choose_numbers() {
-  for (int attempt = 0; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
+  const std::map<std::string, double> of_author = sizes_ == LetterSizes::alike && !solved_.open_letters.empty()
+                                                      ? values_of_author(statement_, solved_.open_letters)
+                                                      : std::map<std::string, double>{};
+  for (int attempt = of_author.empty() ? 0 : -1; attempt < (solved_.open_letters.empty() ? 1 : most_draws); ++attempt) {
     settings_ = stated_;
-    const int solved_draw = attempt - near_units;
-    const auto draw = static_cast<std::uint64_t>(solved_draw < 0 ? attempt : solved_draw);
-    std::mt19937_64 random((solved_draw < 0 ? 7000 : seed_of_draws) + draw);
-    drawn_.clear();
-    for (const Letter& letter : solved_.open_letters) {
-      const double value = sizes_ == LetterSizes::usual ? drawn_letter(letter, random, std::max(solved_draw, 0))
-                                                        : alike_value(letter, solved_.open_letters, attempt, random);
-      drawn_[letter.name] = value;
-      for (Settings& one : settings_) one[letter.name] = Value<double>::of_number(value, letter.unit.dimension);
-    }
+    drawn_ = attempt < 0 ? of_author : drawn_values(attempt);
+    for (const Letter& letter : solved_.open_letters)
+      for (Settings& one : settings_)
+        one[letter.name] = Value<double>::of_number(drawn_.at(letter.name), letter.unit.dimension);
     try {
       if (!set_unknowns(drawn_)) return false;
-      for (const auto& [situation, ask] : limits_) {
-        const SolvedAsk& limit = solution_.asks[ask];
-        settings_[situation][statement_.asks[ask].extremum->name] =
-            has_number(limit)
-                ? limit.value
-                : Value<double>::of_number(value_at(limit.formula->number, drawn_), limit.formula->dimension);
-      }
+      if (!set_limits()) continue;
       sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
       questions_ = questions_of(statement_, *sample_, limits_);
       for (auto one = questions_.instants.begin(); one != questions_.instants.end();) {
@@ -148,6 +199,17 @@ bool ShownNumbers::choose_numbers() {
     }
   }
   return false;
+}
+
+std::map<std::string, double> ShownNumbers::drawn_values(int attempt) const {
+  const int solved_draw = attempt - near_units;
+  const auto draw = static_cast<std::uint64_t>(solved_draw < 0 ? attempt : solved_draw);
+  std::mt19937_64 random((solved_draw < 0 ? 7000 : seed_of_draws) + draw);
+  if (sizes_ == LetterSizes::alike) return alike_values(solved_.open_letters, attempt, random);
+  std::map<std::string, double> values;
+  for (const Letter& letter : solved_.open_letters)
+    values[letter.name] = drawn_letter(letter, random, std::max(solved_draw, 0));
+  return values;
 }
 
 bool ShownNumbers::set_unknowns(const std::map<std::string, double>& letters) {

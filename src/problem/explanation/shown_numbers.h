@@ -19,7 +19,8 @@ namespace poinsot::problem {
 // How the values of letters are drawn.
 enum class LetterSizes {
   usual,  // about the unit, as trials are
-  alike,  // nearly the unit, so that a figure has the proportions that a reader expects; later more freely
+  alike,  // those of the file's own example, else near the unit, so that a figure has the proportions that a reader
+          // expects; later more freely
 };
 
 class ShownNumbers {
@@ -53,6 +54,8 @@ class ShownNumbers {
   const Situation& situation(std::size_t situation) const { return statement_.situations[situation]; }
   void find_limits();
   bool choose_numbers();
+  std::map<std::string, double> drawn_values(int attempt) const;
+  bool set_limits();
   bool set_unknowns(const std::map<std::string, double>& letters);
   bool wants_forces(const Sample::Home& home, const InstantQuestions& questions) const;
 

@@ -192,6 +192,18 @@ std::vector<OneSidedForce> FormulaAnswers::one_sided_forces() const {
   return forces;
 }
 
+void FormulaAnswers::add_approaches(std::vector<OneSidedForce>& forces) const {
+  for (const auto& [home, instant] : instants_) {
+    if (!instant->before()) continue;
+    for (const solve::ImpactOf<Formula>& impact : instant->blow().impacts) {
+      const Formula approach =
+          -dot(impact_velocity(*instant->before(), impact), instant->before()->direction(impact.push));
+      if (seen_sign(approach).sign <= 0)
+        forces.push_back({home, impact.name, "the bodies approach at impact '" + impact.name + "'", approach, true});
+    }
+  }
+}
+
 void FormulaAnswers::add_state_conditions(std::vector<OneSidedForce>& forces) {
   or_no_formula([&] {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {

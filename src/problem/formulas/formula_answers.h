@@ -45,14 +45,14 @@ Value<Formula> exact_setting(const Situation& situation, const std::string& name
 // The letters of the unknowns whose squares are neglected. values: the unknowns, as letters.
 std::vector<std::string> neglected_letters(const Situation& situation, const FormulaValues& values);
 
-// What is positive while a cord pulls, a contact presses, or one with friction stays in its state at an instant, and
-// the assumption under which it acts, in words.
+// What is positive while a cord pulls, a contact presses, one with friction stays in its state, or what strikes
+// approaches at an instant, and the assumption under which it acts, in words.
 struct OneSidedForce {
   Sample::Home home;
   std::string action;
   std::string assumption;
   Formula value;
-  // Whether it is a condition for the state of a contact with friction, which is always told.
+  // Whether it is a condition for the state of a contact with friction, or of a blow, which is always told.
   bool of_state = false;
 };
 // An assumption in words: "the cord 'c' stays taut".
@@ -89,6 +89,8 @@ class FormulaAnswers {
   std::vector<Formula> signs_of_instants() const;
   // The forces of all instants that were solved with their forces.
   std::vector<OneSidedForce> one_sided_forces() const;
+  // How fast what strikes approaches at the instants solved so far, where this depends on letters.
+  void add_approaches(std::vector<OneSidedForce>& forces) const;
   // Adds the conditions under which the contacts with friction stay in their states at the start of each situation.
   // Throws NoFormula where they have none.
   void add_state_conditions(std::vector<OneSidedForce>& forces);

@@ -93,12 +93,19 @@ std::vector<Formula> assumed_roots_of(const Value<Formula>& value) {
   return all;
 }
 
-std::vector<std::string> root_conditions_of(const Value<Formula>& value) {
+std::vector<std::string> root_conditions_of(const Value<Formula>& value, const std::vector<Formula>& told) {
   std::vector<std::string> all;
+  const auto follows = [&](const Formula& not_negative) {
+    return std::ranges::any_of(told, [&](const Formula& positive) {
+      return not_negative == positive || seen_sign(not_negative - positive).sign > 0;
+    });
+  };
   for (const std::vector<Formula>& roots : {assumed_roots_of(value), domain_of(value)})
-    for (const Formula& not_negative : roots)
+    for (const Formula& not_negative : roots) {
+      if (follows(not_negative)) continue;
       if (std::string words = words_of_root(not_negative); std::ranges::find(all, words) == all.end())
         all.push_back(std::move(words));
+    }
   return all;
 }
 

@@ -31,8 +31,9 @@ std::vector<Formula> assumed_roots_of(const Value<Formula>& value);
 // What must not be negative where all numbers of a value have one.
 std::vector<Formula> domain_of(const Value<Formula>& formula);
 
-// What must not be negative where roots, acos and asin in a value have values: "k - m*w^2 >= 0".
-std::vector<std::string> root_conditions_of(const Value<Formula>& formula);
+// What must not be negative where roots, acos and asin in a value have values: "k - m*w^2 >= 0". told: what
+// is told to be positive besides, and what holds wherever it is so needs no words.
+std::vector<std::string> root_conditions_of(const Value<Formula>& formula, const std::vector<Formula>& told = {});
 
 // What was assumed when the numbers of a value were simplified: "m > 0".
 std::vector<std::string> assumptions_of(const Value<Formula>& formula);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "poinsot/engine/math/formula/formula_exponential.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/formulas/formula_answers.h"
@@ -162,13 +163,31 @@ class FarSearch {
         held = true;
       } catch (const StatementError&) {
         // Either the statement makes no sense at this point, or what it states cannot be with these unknowns.
-        if (has_formula(i) && is_in_states(point.letters) && makes_sense_but_for_what_is_stated(*settings, i))
+        if (has_formula(i) && is_in_states(point.letters) && numbers_would_tell(point.letters) &&
+            makes_sense_but_for_what_is_stated(*settings, i))
           disagree(i, point);
       } catch (const std::domain_error&) {
         disagree(i, point);
       }
     }
     return held;
+  }
+
+  // Whether numbers hold both sides of cords round posts: of those that differ e^20 times eight digits are left, and of
+  // others none that would tell whether a cord slips.
+  bool numbers_would_tell(const LetterValues& letters) const {
+    constexpr double most = 20;
+    const auto are_within = [&](const Formula& x) {
+      return std::ranges::all_of(exponents_of(x),
+                                 [&](const Formula& one) { return std::abs(value_at(one, letters)) < most; });
+    };
+    return std::ranges::all_of(solution_.asks, [&](const SolvedAsk& ask) {
+      if (!ask.formula) return true;
+      const Value<Formula>& value = *ask.formula;
+      if (value.is_number()) return are_within(value.number);
+      return !value.is_vector() ||
+             (are_within(value.vector.x) && are_within(value.vector.y) && are_within(value.vector.z));
+    });
   }
 
   // Whether the contacts with friction are in their states, outside which nothing is told.

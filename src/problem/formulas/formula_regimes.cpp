@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -20,6 +21,8 @@ constexpr std::size_t regime_points = 250;  // points at which the conditions of
 constexpr std::size_t most_formulas = 6;    // of one answer
 constexpr std::size_t most_places = 8;      // to find one more, each from another point
 constexpr double same_branch = 1e-6;        // relative difference of numbers on one branch
+constexpr double rounding_of_terms =
+    1e-11;  // of the natural size of an answer that is next to nothing beside its terms
 constexpr Work least_regime_work = 20'000'000;
 constexpr Work times_first = 8;  // what the first formulas took, so many times, may go into all others
 
@@ -31,15 +34,17 @@ class RegimeSearch {
         solution_(solution),
         held_(held),
         scan_(task.open, letters_of(task)),
-        limit_(std::max(least_regime_work, times_first * grounds.work)) {}
+        most_(times_first * grounds.work) {}
 
   void run() {
-    for (std::size_t i = 0; i < solution_.asks.size(); ++i) {
-      if (!solution_.asks[i].formula) continue;
-      std::vector<Formula> positive;
-      for (const HeldCondition& condition : held_)
-        if (!condition.bound && concerns(condition, i)) positive.push_back(condition.positive);
-      if (!positive.empty()) look_elsewhere(i, std::move(positive));
+    std::map<std::size_t, std::vector<Formula>> positive;  // of each ask
+    for (const HeldCondition& condition : held_)
+      for (const std::size_t i : condition.asks)
+        if (!condition.bound && solution_.asks[i].formula) positive[i].push_back(condition.positive);
+    for (auto& [i, conditions] : positive) {
+      // Each has its share, so that what the first ones take is no loss to the last.
+      limit_ = WorkLimit(std::max(least_regime_work, most_ / positive.size()));
+      look_elsewhere(i, std::move(conditions));
     }
     std::erase_if(held_, [](const HeldCondition& condition) { return condition.asks.empty() && !condition.bound; });
   }
@@ -75,12 +80,13 @@ class RegimeSearch {
     });
   }
 
-  // The statement with these letters, if the question has an answer there.
+  // The statement with these letters, if they are as is assumed and the question has an answer there.
   std::optional<Place> place_at(const LetterValues& letters, std::size_t i) const {
     Place place{letters, task_.settings, nullptr, {}};
     for (Settings& one : place.settings)
       for (const Letter& letter : task_.open)
         one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    if (!is_assumed(task_.statement, place.settings)) return std::nullopt;
     place.sample = std::make_unique<Sample>(task_.statement, place.settings, OpenChoice{});
     try {
       place.value = asked_value(*place.sample, task_.statement.asks[i]);
@@ -90,6 +96,23 @@ class RegimeSearch {
       return std::nullopt;
     }
     return place;
+  }
+
+  // Whether a formula of an answer is that of the branch on which a place is.
+  static bool fits(const Value<Formula>& formula, const Place& place, double natural) {
+    const double size = std::max(size_of(place.value), rounding_of_terms / same_branch * natural);
+    return misfit_of(formula, place.value, place.letters, size) <= same_branch;
+  }
+  double natural_size(const Place& place, std::size_t i) const {
+    return place.sample->instant_of(task_.statement.asks[i]).natural_size(dimension_of(place.value));
+  }
+
+  // An answer without formula is no number: it differs beyond a border.
+  void take_back(std::size_t i, const std::vector<Regime>& regimes) const {
+    SolvedAsk& ask = solution_.asks[i];
+    depend_on_all(ask, regimes);
+    ask.formula.reset();
+    ask.no_formula = "the formula found holds for some values of the letters only";
   }
 
   void look_elsewhere(std::size_t i, std::vector<Formula> positive) {
@@ -111,7 +134,8 @@ class RegimeSearch {
       ++attempts;
       std::optional<Regime> found = regime_at(*place, i);
       if (found && found->positive.empty() && found->words.empty()) {
-        take_everywhere(i, std::move(*found));
+        regimes.push_back(std::move(*found));
+        take_everywhere(i, regimes);
         return;
       }
       if (found && covers(*found, letters))
@@ -122,7 +146,7 @@ class RegimeSearch {
     hold_together(i, regimes);
     if (regimes.empty()) return;
     const std::vector<Formula> before = regimes.front().positive;
-    if (regimes.size() > 2) join(regimes);
+    join(regimes);
     if (regimes.front().positive != before) hold_under(i, regimes.front().positive);
     if (regimes.size() > 1) {
       for (const Regime& regime : regimes) ask.regimes.push_back(written(regime));
@@ -139,13 +163,10 @@ class RegimeSearch {
       if (std::ranges::count_if(regimes, [&](const Regime& one) { return covers(one, letters); }) < 2) continue;
       const std::optional<Place> place = place_at(letters, i);
       if (!place) continue;
-      const auto wrong = [&](const Regime& one) {
-        return covers(one, letters) &&
-               !(misfit_of(one.formula, place->value, letters, size_of(place->value)) <= same_branch);
-      };
+      const double natural = natural_size(*place, i);
+      const auto wrong = [&](const Regime& one) { return covers(one, letters) && !fits(one.formula, *place, natural); };
       if (wrong(regimes.front())) {
-        solution_.asks[i].formula.reset();
-        solution_.asks[i].no_formula = "the formula found holds for some values of the letters only";
+        take_back(i, regimes);
         regimes.clear();
         return;
       }
@@ -153,18 +174,20 @@ class RegimeSearch {
     }
   }
 
-  // Of the same formula on either side of a border one is left: where a < b and where b < a.
+  // Of the same formula on either side of a border one is left: where a < b and where b < a. A single one without
+  // condition would say that there is no border.
   void join(std::vector<Regime>& regimes) const {
     for (std::size_t k = 1; k < regimes.size(); ++k)
       for (std::size_t j = 0; j < k; ++j)
-        if (auto one = joined(regimes[j], regimes[k]); one && regimes.size() > 2) {
+        if (auto one = joined(regimes[j], regimes[k]); one && (regimes.size() > 2 || !one->empty())) {
           regimes[j].positive = std::move(*one);
           regimes.erase(regimes.begin() + static_cast<std::ptrdiff_t>(k));
           k = 0;
           break;
         }
   }
-  // What is positive in the one or the other, without what has opposite signs in them.
+  // The conditions under which one or the other holds: what is positive in either, without what has opposite signs in
+  // them, or those of the wider one.
   std::optional<std::vector<Formula>> joined(const Regime& one, const Regime& other) const {
     if (!is_same(one.formula, other.formula) || one.words != other.words) return std::nullopt;
     std::vector<Formula> all;
@@ -175,13 +198,18 @@ class RegimeSearch {
     };
     add(one.positive, other.positive);
     add(other.positive, one.positive);
-    const Regime together{one.formula, all, one.words};
-    for (std::size_t n = 0; n < regime_points; ++n) {
-      const LetterValues letters = scan_.point(n);
-      if (on_border({one, other}, letters)) continue;
-      if (covers(together, letters) != (covers(one, letters) || covers(other, letters))) return std::nullopt;
-    }
-    return all;
+    const auto holds_where_either_does = [&](const std::vector<Formula>& positive) {
+      const Regime together{one.formula, positive, one.words};
+      for (std::size_t n = 0; n < regime_points; ++n) {
+        const LetterValues letters = scan_.point(n);
+        if (on_border({one, other}, letters)) continue;
+        if (covers(together, letters) != (covers(one, letters) || covers(other, letters))) return false;
+      }
+      return true;
+    };
+    for (const std::vector<Formula>& positive : {all, one.positive, other.positive})
+      if (holds_where_either_does(positive)) return positive;
+    return std::nullopt;
   }
 
   static bool is_same(const Value<Formula>& one, const Value<Formula>& other) {
@@ -217,7 +245,7 @@ class RegimeSearch {
     ask.value = place.value;
     ask.formula.reset();
     std::vector<double> natural = task_.natural;
-    natural[i] = place.sample->instant_of(task_.statement.asks[i]).natural_size(dimension_of(place.value));
+    natural[i] = natural_size(place, i);
     const FormulaTask task{task_.statement, task_.open,     task_.given,   task_.known,
                            task_.unknowns,  place.settings, *place.sample, natural};
     const FormulaGrounds grounds = find_formulas(task, part);
@@ -249,19 +277,18 @@ class RegimeSearch {
     });
   }
 
-  void take_everywhere(std::size_t i, Regime found) const {
+  // The last of the formulas has no condition.
+  void take_everywhere(std::size_t i, std::vector<Regime>& regimes) const {
     std::size_t held = 0;
-    for (std::size_t n = 0; n < regime_points && held < most_places && !limit_.spent(); ++n) {
-      const LetterValues letters = scan_.point(n);
-      const std::optional<Place> place = place_at(letters, i);
+    for (std::size_t n = 0; n < regime_points && held < most_places; ++n) {
+      const std::optional<Place> place = place_at(scan_.point(n), i);
       if (!place) continue;
       ++held;
-      if (misfit_of(found.formula, place->value, letters, size_of(place->value)) <= same_branch) continue;
-      solution_.asks[i].formula.reset();
-      solution_.asks[i].no_formula = "the formula found holds for some values of the letters only";
+      if (fits(regimes.back().formula, *place, natural_size(*place, i))) continue;
+      take_back(i, regimes);
       return;
     }
-    solution_.asks[i].formula = std::move(found.formula);
+    solution_.asks[i].formula = std::move(regimes.back().formula);
     for (HeldCondition& condition : held_)
       if (!condition.bound) std::erase(condition.asks, i);
   }
@@ -298,7 +325,8 @@ class RegimeSearch {
   Solution& solution_;
   std::vector<HeldCondition>& held_;
   const LetterScan scan_;
-  const WorkLimit limit_;
+  const Work most_;  // for all asks
+  WorkLimit limit_{0};
 };
 
 // What is told of conditions is read back at the letters at which the formulas were found and all over their decades.

@@ -80,7 +80,9 @@ class FormulaSearch {
           return ask.state == AskState::needs_letters && !ask.formula;
         }))
       static_cast<void>(why_no_formula([&] { answers_.solve_all(); }));
-    for (OneSidedForce& force : answers_.one_sided_forces()) {
+    std::vector<OneSidedForce> forces = answers_.one_sided_forces();
+    answers_.add_approaches(forces);
+    for (OneSidedForce& force : forces) {
       try {
         force.value = substituted(force.value, unknowns_);
         grounds_.forces.push_back(std::move(force));

@@ -1,7 +1,10 @@
 #include "problem/formulas/formula_task.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "poinsot/engine/math/formula/formula_domain.h"
+#include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/data.h"
@@ -65,6 +68,37 @@ void withhold_formulas(const FormulaTask& task, Solution& solution, const std::s
     ask.letters.clear();
     for (const Letter& letter : task.open) ask.letters.push_back(letter.name);
   }
+}
+
+std::vector<Formula> stated_bounds(const FormulaTask& task, const std::vector<SolvedUnknown>& unknowns) {
+  std::vector<Formula> bounds;
+  const auto add = [&](const Formula& positive) {
+    const Formula bound = bound_without_inverse(positive);
+    if (!bound.is_number() && seen_sign(bound).sign <= 0 && std::ranges::find(bounds, bound) == bounds.end())
+      bounds.push_back(bound);
+  };
+  for (std::size_t i = 0; i < task.statement.situations.size(); ++i) {
+    const Situation& situation = task.statement.situations[i];
+    const Settings none;
+    DataScope<Formula> data(situation, none);
+    for (const Letter& letter : task.open) data.vary(letter.name, formula_of(letter));
+    for (const auto& [name, value] : task.given) data.vary(name, value);
+    for (const SolvedUnknown& unknown : unknowns)
+      if (unknown.formula && unknown.is_of(i)) data.vary(unknown.own_name, *unknown.formula);
+    for (const Expression& condition : situation.where) {
+      const Comparison* comparison = condition.as<Comparison>();
+      for (std::size_t k = 0; comparison && k < comparison->relations.size(); ++k) try {
+          const Formula rise =
+              data.value(comparison->operands[k + 1]).number - data.value(comparison->operands[k]).number;
+          const Relation relation = comparison->relations[k];
+          add(relation == Relation::less || relation == Relation::less_equal ? rise : -rise);
+        } catch (const StatementError&) {
+          // It is about what has no formula, or about a quantity of the motion.
+        } catch (const std::domain_error&) {
+        }
+    }
+  }
+  return bounds;
 }
 
 bool acts_on_one_side(const Statement& statement) {

@@ -42,6 +42,10 @@ bool speaks_of_no_letter(const FormulaTask& task, const Ask& ask);
 // Takes back all formulas of a solution, for a reason, and numbers that depend on letters.
 void withhold_formulas(const FormulaTask& task, Solution& solution, const std::string& reason);
 
+// What is positive where unknowns with formulas lie in the ranges that are stated of them, as far as that is not so for
+// all letters and can be told without motions.
+std::vector<Formula> stated_bounds(const FormulaTask& task, const std::vector<SolvedUnknown>& unknowns);
+
 // Whether there are cords or contacts.
 bool acts_on_one_side(const Statement& statement);
 

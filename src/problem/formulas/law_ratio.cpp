@@ -1,11 +1,13 @@
 #include "problem/formulas/law_ratio.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "engine/solve/linear/decompositions.h"
+#include "poinsot/engine/math/formula/formula_exponential.h"
 #include "problem/formulas/law_shape.h"
 
 namespace poinsot::problem {
@@ -97,6 +99,111 @@ Told told(const std::vector<double>& coefficients, double over, const Formula& x
   return result;
 }
 
+constexpr int digits_of_curve = 12;
+constexpr int most_halves = 4;              // of the power of x before the function, times two
+constexpr double simple_before_fit = 1e-6;  // of a coefficient: it is only taken if the numbers are then met
+constexpr double least_within = 1e-3, most_within = 60;  // of what stands in the function in the middle of the samples
+constexpr int steps_within = 48;                         // between these, in which a coefficient is looked for
+
+// A function with its formula. Each is positive for small positive numbers.
+struct Curve {
+  double (*number)(double);
+  Formula (*formula)(const Formula&);
+};
+
+Formula cosh_of(const Formula& x) { return (exp(x) + exp(-x)) / 2; }
+
+const std::array curves{
+    Curve{[](double x) { return std::log1p(x); }, [](const Formula& x) { return ln(1 + x); }},
+    Curve{[](double x) { return -std::log1p(-x); }, [](const Formula& x) { return -ln(1 - x); }},
+    Curve{[](double x) { return std::exp(-x); }, [](const Formula& x) { return exp(-x); }},
+    Curve{[](double x) { return -std::expm1(-x); }, [](const Formula& x) { return 1 - exp(-x); }},
+    Curve{[](double x) { return std::expm1(x); }, [](const Formula& x) { return exp(x) - 1; }},
+    Curve{[](double x) { return std::sqrt(-std::expm1(-x)); }, [](const Formula& x) { return sqrt(1 - exp(-x)); }},
+    Curve{[](double x) { return std::atan(x); }, [](const Formula& x) { return atan(x); }},
+    Curve{[](double x) { return std::tanh(x); }, [](const Formula& x) { return (exp(2 * x) - 1) / (exp(2 * x) + 1); }},
+    Curve{[](double x) { return std::atanh(x); }, [](const Formula& x) { return ln((1 + x) / (1 - x)) / 2; }},
+    Curve{[](double x) { return x + std::log1p(std::expm1(-2 * x) / 2); },
+          [](const Formula& x) { return ln(cosh_of(x)); }},
+    // The time in which a body falls through a height: acosh(e^x).
+    Curve{[](double x) { return x + std::log1p(std::sqrt(-std::expm1(-2 * x))); },
+          [](const Formula& x) { return ln(exp(x) + sqrt(exp(2 * x) - 1)); }},
+    Curve{[](double x) { return x + std::expm1(-x); }, [](const Formula& x) { return x - 1 + exp(-x); }},
+    Curve{[](double x) { return x - std::log1p(x); }, [](const Formula& x) { return x - ln(1 + x); }},
+    Curve{[](double x) { return -std::log1p(-x) - x; }, [](const Formula& x) { return -ln(1 - x) - x; }},
+};
+
+// A fraction, or the root of one, that is as close.
+std::optional<Formula> simple_or_root(double number) {
+  if (auto simple = simple_coefficient(number, simple_before_fit)) return simple;
+  const auto square = simple_coefficient(number * number, 2 * simple_before_fit);
+  return square ? std::optional(number < 0 ? -sqrt(*square) : sqrt(*square)) : std::nullopt;
+}
+
+class CurveFit {
+ public:
+  CurveFit(const Curve& curve, const RatioSamples& samples, int halves_within, int halves_before, double tolerance)
+      : curve_(curve), tolerance_(tolerance) {
+    for (std::size_t n = 0; n < samples.x.size(); ++n) {
+      within_.push_back(std::pow(samples.x[n], 0.5 * halves_within));
+      rest_.push_back(samples.numbers[n] / std::pow(samples.x[n], 0.5 * halves_before));
+    }
+    const auto [low, high] = std::minmax_element(within_.begin(), within_.end());
+    middle_ = std::sqrt(*low * *high);
+  }
+
+  struct Coefficients {
+    double within = 0, before = 0;
+  };
+  // Those with which the numbers are met.
+  std::optional<Coefficients> coefficients() const {
+    const double wanted = std::log(rest_.back() / rest_.front());
+    const auto miss = [&](double order) {
+      const double a = std::exp(order);
+      return std::log(curve_.number(a * within_.back()) / curve_.number(a * within_.front())) - wanted;
+    };
+    const double begin = std::log(least_within / middle_), end = std::log(most_within / middle_);
+    double before = begin, miss_before = miss(begin);
+    for (int k = 1; k <= steps_within; ++k) {
+      const double here = begin + (end - begin) * k / steps_within, miss_here = miss(here);
+      if (std::isfinite(miss_before) && std::isfinite(miss_here) && (miss_before > 0) != (miss_here > 0)) {
+        const double a = std::exp(between(miss, before, here));
+        const Coefficients found{a, rest_.front() / curve_.number(a * within_.front())};
+        if (meets(found)) return found;
+      }
+      before = here;
+      miss_before = miss_here;
+    }
+    return std::nullopt;
+  }
+
+  bool meets(const Coefficients& coefficients) const {
+    for (std::size_t n = 0; n < rest_.size(); ++n) {
+      const double value = coefficients.before * curve_.number(coefficients.within * within_[n]);
+      if (!(std::abs(value - rest_[n]) <= tolerance_ * std::abs(rest_[n]))) return false;
+    }
+    return true;
+  }
+
+ private:
+  // Where what has two signs at the ends is zero.
+  template <typename Function>
+  static double between(const Function& f, double low, double high) {
+    const bool rises = f(high) > 0;
+    constexpr int halvings = 60;  // to the last place
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (low + high);
+      ((f(middle) > 0) == rises ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  const Curve& curve_;
+  const double tolerance_;
+  double middle_ = 1;  // of what the first coefficient is multiplied with
+  std::vector<double> within_, rest_;
+};
+
 }  // namespace
 
 std::optional<RatioLaw> ratio_law(const Formula& x, const RatioSamples& samples, double tolerance) {
@@ -134,6 +241,25 @@ std::optional<RatioLaw> ratio_law(const Formula& x, const RatioSamples& samples,
         RatioLaw law{p.polynomial / q.polynomial, fractions ? digits_of_ratio : digits};
         if (power == 2) law.formula = negative ? -sqrt(law.formula) : sqrt(law.formula);
         return law;
+      }
+  return std::nullopt;
+}
+
+std::optional<RatioLaw> curve_law(const Formula& x, const RatioSamples& samples, double tolerance) {
+  if (samples.x.empty()) return std::nullopt;
+  const bool negative = samples.numbers.front() < 0;
+  if (std::ranges::any_of(samples.numbers, [&](double one) { return one == 0 || (one < 0) != negative; }))
+    return std::nullopt;
+  for (const int halves_within : {2, 1, -2, -1})
+    for (const Curve& curve : curves)
+      for (int halves_before = -most_halves; halves_before <= most_halves; ++halves_before) {
+        const CurveFit fit(curve, samples, halves_within, halves_before, tolerance);
+        const auto found = fit.coefficients();
+        if (!found) continue;
+        const auto within = simple_or_root(found->within), before = simple_or_root(found->before);
+        if (!within || !before || !fit.meets({plain(*within), plain(*before)})) continue;
+        const Formula law = *before * power_of(x, halves_before) * curve.formula(*within * power_of(x, halves_within));
+        return RatioLaw{law, digits_of_curve};
       }
   return std::nullopt;
 }

@@ -169,12 +169,13 @@ class LawSearch {
     for (const std::string& name : solution_.asks[i].letters) {
       const auto letter = std::ranges::find(task_.open, name, &Letter::name);
       if (letter == task_.open.end() || letter->unit.dimension != dimensions::angle) continue;
-      std::string untried;
+      std::string none, untried;
       for (const ScalingTrials::Point& point : trials.turned(name)) {
         const double angle = point.letters.at(name);
         const std::string text = with_digits(angle, 3) + " rad";
         if (point.answers.empty() || !point.answers[i]) {
-          untried += (untried.empty() ? "" : ", ") + text;
+          std::string& there = point.answers.empty() ? untried : none;
+          there += (there.empty() ? "" : ", ") + text;
           continue;
         }
         if (agrees(law.formula, *point.answers[i], point.letters, 1e-6, size_of(*trials.base().answers[i])) ||
@@ -184,7 +185,8 @@ class LawSearch {
           throw NoFormula("the formula found holds for some values of the letters only, not at " + name + " = " + text);
         assumed.insert(name + " is not negative");
       }
-      if (!untried.empty()) assumed.insert(name + " is such that there is an answer: none was found at " + untried);
+      if (!none.empty()) assumed.insert(name + " is such that there is an answer: none was found at " + none);
+      if (!untried.empty()) assumed.insert(name + " is none of these, which could not be tried: " + untried);
     }
     for (const std::string& words : assumed)
       if (std::ranges::find(solution_.assumptions, words) == solution_.assumptions.end())
@@ -239,15 +241,20 @@ class LawSearch {
       if (!take_regimes(laws[n], reaches[n], base, solve, tolerance,
                         std::max(regimes_over_reach * most, least_regime_search)))
         take(laws[n], reaches[n]);
-    for (const HeldLaw& law : laws) tell_roots(law);
+    const std::vector<Formula> bounds = stated_bounds(task_, solution_.unknowns);
+    for (const Formula& bound : bounds) {
+      solution_.assumptions.push_back(condition_words(bound, task_.open));
+      solution_.grounds.push_back({solution_.assumptions.back(), bound, solution_.assumptions.back(), {}});
+    }
+    for (const HeldLaw& law : laws) tell_roots(law, bounds);
     solution_.checks["formulas"] = std::max(solution_.checks["formulas"], misfit);
   }
-  // Where roots and inverse functions of a law have values.
-  void tell_roots(const HeldLaw& law) {
+  // Where roots and inverse functions of a law have values. bounds: what is told to be positive.
+  void tell_roots(const HeldLaw& law, const std::vector<Formula>& bounds) {
     if (law.answer >= solution_.asks.size()) return;
     const SolvedAsk& ask = solution_.asks[law.answer];
     if (!ask.formula || ask.formula_road.empty() || !ask.regimes.empty()) return;
-    for (const std::string& words : root_conditions_of(*ask.formula))
+    for (const std::string& words : root_conditions_of(*ask.formula, bounds))
       solution_.assumptions.push_back(words + " for '" + task_.statement.asks[law.answer].name + "'");
   }
   // Looks for the laws where the first one fails. Whether all of them were found, with what parts them.

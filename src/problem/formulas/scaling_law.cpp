@@ -178,7 +178,8 @@ class OneNumber {
     return *rest * formula_of_product();
   }
 
-  // A quotient of polynomials in the one number without dimension that letters make, or its root.
+  // A quotient of polynomials in the one number without dimension that letters make, its root, or one of the curves of
+  // it that drag makes.
   std::optional<Formula> as_ratio(const std::vector<Letter>& letters, const Dimension& dimension) {
     const LetterDimensions dimensions(letters, units_);
     if (letters.size() != dimensions.pivots().size() + 1) return std::nullopt;
@@ -209,7 +210,10 @@ class OneNumber {
         samples.numbers.push_back(*number / (shape_.product_at(point.letters) * product.product_at(point.letters)));
       }
     if (samples.x.size() < least_along) return std::nullopt;
-    const auto law = ratio_law(formula_of_product(group), samples, std::max(ratio_tolerance, 4 * trials_.error()));
+    const Formula x = formula_of_product(group);
+    const double tolerance = std::max(ratio_tolerance, 4 * trials_.error());
+    std::optional<RatioLaw> law = ratio_law(x, samples, tolerance);
+    if (!law) law = curve_law(x, samples, tolerance);
     if (!law) return std::nullopt;
     for (const Letter& letter : letters) law_.by_trial.push_back(letter.name);
     law_.digits = law_.digits == 0 ? law->digits : std::min(law_.digits, law->digits);

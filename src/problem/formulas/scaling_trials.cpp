@@ -132,8 +132,10 @@ const std::vector<ScalingTrials::Point>& ScalingTrials::turned(const std::string
         point.letters[angle] = value;
         try {
           if (!given_up) point.answers = solve_(point.letters);
-          for (std::size_t i = 0; i < point.answers.size(); ++i)
-            given_up = given_up || (base().answers[i] && !point.answers[i]);
+          // What lacks one answer may have the others.
+          bool some = point.answers.empty();
+          for (std::size_t i = 0; i < point.answers.size(); ++i) some = some || (base().answers[i] && point.answers[i]);
+          given_up = given_up || !some;
         } catch (const StatementError&) {
           continue;
         } catch (const NoFormula&) {

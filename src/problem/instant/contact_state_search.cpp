@@ -178,7 +178,7 @@ class StateSearch {
       if (starting.empty())
         keep_if_held(states);
       else
-        begin_to_slide(states, starting);
+        begin_to_slide(states, grips, starting);
     } catch (const ContradictionError&) {
       // What is stated does not go with these states.
     } catch (const StatementError& error) {
@@ -238,7 +238,7 @@ class StateSearch {
     Slips slips;
     slips.holds = true;
     whole_now_ = true;
-    for (const SolvedInstant::OneSidedFault& fault : instant.one_sided_faults()) {
+    for (const auto& fault : instant.one_sided_faults()) {
       const std::string& name = instant.machine().mechanism.actions[fault.action].name;
       // A cord is in no state of its friction where that breaks down; where it would push it is like any cord.
       const bool rough = std::ranges::any_of(contacts_, [&](const Contact* contact) {
@@ -287,7 +287,7 @@ class StateSearch {
   }
 
   // Contacts at rest that slide: first along the lines on which they would begin without friction.
-  void begin_to_slide(States states, const std::vector<std::size_t>& starting) {
+  void begin_to_slide(States states, const std::vector<Grip>& grips, const std::vector<std::size_t>& starting) {
     const std::vector<Vector3<double>> free = solve(states, true).slip;
     std::vector<Vector3<double>> lines;
     for (const std::size_t k : starting) lines.push_back(norm(free[k]) > 0 ? normalized(free[k]) : across(k));
@@ -309,7 +309,9 @@ class StateSearch {
     // In a planar problem what touches slips along the line in which its surface meets the plane.
     const auto on_a_line = [&](std::size_t k) { return axes_[k] || (situation_.plane && contacts_[k]->touches()); };
     if (std::ranges::all_of(starting, on_a_line)) return;
-    if (on_lines && !(norm(free[starting.front()]) > 0 && starting.size() == 1 && !lines_only_)) return;
+    if (on_lines && (starting.size() > 1 || lines_only_ || !(norm(free[starting.front()]) > 0) ||
+                     possible_.along_one_line(starting.front(), grips)))
+      return;
     if (lines_only_) {
       held_.directions_sought = held_.directions_sought || !on_lines;
       return;
@@ -371,8 +373,7 @@ class StateSearch {
     }
   }
 
-  // A ball, which turns about any axis: Newton's method for what slips across a direction, from both senses of the
-  // line.
+  // A ball, which turns about any axis: Newton's method for what slips across a direction, from both senses of a line.
   void turn_in_space(States states, std::size_t k, const Vector3<double>& line) {
     constexpr int most_steps = 40;
     constexpr double close = 1e-13, aside = 1e-6, longest = 0.5;  // as for several contacts

@@ -342,10 +342,11 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark, bool 
   try {
     linearisation_ = solve::linearise(motion);
   } catch (const solve::ChangingEquations& error) {
-    throw UnansweredError(
+    throw UnsteadyError(
         situation_.file, mark, error.what(),
         "stability is told where all that spins are bodies of revolution, and all that acts from the ground on what "
-        "turns acts along the axis, or about it");
+        "turns acts along the axis, or about it",
+        std::string("what acts may change, and with it what moves freely: ") + error.what());
   } catch (const std::runtime_error& error) {
     throw UnansweredError(situation_.file, mark, error.what(),
                           "say what holds or drives every freedom, or give a body without mass a little");
@@ -353,12 +354,12 @@ const solve::Linearisation& SolvedInstant::linearisation(const Mark& mark, bool 
   if (!linearisation_->steady) {
     const auto changing = static_cast<std::size_t>(linearisation_->unsteady);
     linearisation_.reset();
-    throw UnansweredError(situation_.file, mark,
-                          "this is no steady motion, of which alone stability is asked: " +
-                              with_article(machine_.mechanism.coordinate_names[changing]) + " would change",
-                          situation_.steady
-                              ? "correct the frame, the spins or what acts, so that all stays as steady: says"
-                              : "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium");
+    const std::string change = with_article(machine_.mechanism.coordinate_names[changing]) + " would change";
+    throw UnsteadyError(situation_.file, mark, "this is no steady motion, of which alone stability is asked: " + change,
+                        situation_.steady
+                            ? "correct the frame, the spins or what acts, so that all stays as steady: says"
+                            : "state steady: {frame: F, spins: {...}}, or rest where everything is in equilibrium",
+                        change + ": it is no steady motion");
   }
   if (with_shapes) solve::find_shapes(motion, *linearisation_);
   return *linearisation_;

@@ -55,6 +55,18 @@ class UnansweredError : public StatementError {
   using StatementError::StatementError;
 };
 
+// What is taken for a steady motion is none. reason: what changes.
+class UnsteadyError : public UnansweredError {
+ public:
+  UnsteadyError(std::string file, Mark mark, std::string message, std::string hint, std::string reason)
+      : UnansweredError(std::move(file), mark, std::move(message), std::move(hint)), reason_(std::move(reason)) {}
+
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
+};
+
 // What is asked for does not happen, as far as the motion goes or was followed.
 class NotHappeningError : public UnansweredError {
  public:

@@ -97,9 +97,7 @@ std::optional<Value<Scalar>> function_of_number(const Call& call, const Function
     if (f == "ln" && !(plain(x) > 0))
       context.no_value("ln of " + number_text(plain(x)) + " does not exist: the argument must be positive");
     if constexpr (std::is_same_v<Scalar, Formula>) {
-      const std::optional<Formula> found = f == "exp" ? std::optional(exp(x)) : exponent_of(x);
-      if (!found) throw NoFormula("ln() has a formula of powers of e alone");
-      return pure(*found);
+      return pure(f == "exp" ? exp(x) : ln(x));
     } else if constexpr (is_exact<Scalar>) {
       throw NoFormula("the rate of " + call.function + "() has no formula");
     } else {

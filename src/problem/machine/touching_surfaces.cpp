@@ -440,13 +440,16 @@ class PairReader {
   // What does not touch yet may come from anywhere, so that a surface must have no end, and nearest places that are
   // sure.
   void check_open(const TouchingSurfaces<Scalar>& found) const {
-    const auto whole = [](const ContactSurface<Scalar>& s) {
-      return s.kind == SurfaceKind::sphere || s.kind == SurfaceKind::ellipsoid || s.kind == SurfaceKind::plane;
+    // In a plane the edge of a disk has no end: it is the cylinder across the plane.
+    const auto whole = [this](const ContactSurface<Scalar>& s) {
+      return s.kind == SurfaceKind::sphere || s.kind == SurfaceKind::ellipsoid || s.kind == SurfaceKind::plane ||
+             (s.kind == SurfaceKind::cylinder && draft_.situation.plane && turns_about(plain(s.axis)));
     };
     if (!found.end_on && !found.end_from && whole(found.surfaces.on) && whole(found.surfaces.from)) return;
     refuse(contact_.mark,
            "contact '" + contact_.name + "' is open between curved surfaces, of which one has an end or a ring",
-           "what meets later is followed for spheres, ellipsoids, planes, and disks that joints keep in one plane");
+           "what meets later is followed for spheres, ellipsoids, planes, and disks that joints or plane: keep in one "
+           "plane");
   }
 
   // From the axes of the drawing to those of the bodies.

@@ -24,7 +24,7 @@ Eigen::RowVectorXd as_row(const std::vector<double>& values) {
 PossibleSlips::PossibleSlips(const solve::MechanismStateOf<double>& state,
                              const std::vector<RoughContactOf<double>>& contacts) {
   const std::vector<double>& v = state.state().v;
-  if (std::ranges::any_of(v, [](double rate) { return rate != 0; })) return;
+  moves_already_ = std::ranges::any_of(v, [](double rate) { return rate != 0; });
   coordinates_ = v.size();
   for (const RoughContactOf<double>& contact : contacts) {
     Rows& rows = rows_.emplace_back();
@@ -48,8 +48,7 @@ PossibleSlips::PossibleSlips(const solve::MechanismStateOf<double>& state,
   }
 }
 
-bool PossibleSlips::allow(const std::vector<Grip>& grips) const {
-  if (rows_.empty()) return true;
+Eigen::MatrixXd PossibleSlips::free_motions(const std::vector<Grip>& grips) const {
   const auto n = static_cast<Eigen::Index>(coordinates_);
   std::vector<Eigen::RowVectorXd> held;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -57,17 +56,20 @@ bool PossibleSlips::allow(const std::vector<Grip>& grips) const {
     if (grips[k] == Grip::sticks)
       for (const std::vector<double>& slip : rows_[k].slips) held.push_back(as_row(slip));
   }
-  Eigen::MatrixXd free = Eigen::MatrixXd::Identity(n, n);
-  if (!held.empty()) {
-    Eigen::MatrixXd C(std::max(static_cast<Eigen::Index>(held.size()), n), n);
-    C.setZero();
-    for (std::size_t i = 0; i < held.size(); ++i) C.row(static_cast<Eigen::Index>(i)) = held[i];
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeFullV);
-    const Eigen::VectorXd& sizes = svd.singularValues();
-    Eigen::Index rank = 0;
-    while (rank < sizes.size() && sizes[rank] > one_of_the_others * sizes[0]) ++rank;
-    free = svd.matrixV().rightCols(n - rank);
-  }
+  if (held.empty()) return Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd C(std::max(static_cast<Eigen::Index>(held.size()), n), n);
+  C.setZero();
+  for (std::size_t i = 0; i < held.size(); ++i) C.row(static_cast<Eigen::Index>(i)) = held[i];
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C, Eigen::ComputeFullV);
+  const Eigen::VectorXd& sizes = svd.singularValues();
+  Eigen::Index rank = 0;
+  while (rank < sizes.size() && sizes[rank] > one_of_the_others * sizes[0]) ++rank;
+  return svd.matrixV().rightCols(n - rank);
+}
+
+bool PossibleSlips::allow(const std::vector<Grip>& grips) const {
+  if (rows_.empty() || moves_already_) return true;
+  const Eigen::MatrixXd free = free_motions(grips);
   const auto moves = [&](const std::vector<double>& row) { return (as_row(row) * free).norm() > no_motion; };
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (grips[k] == Grip::parts && !rows_[k].apart.empty() && !moves(rows_[k].apart)) return false;
@@ -75,6 +77,16 @@ bool PossibleSlips::allow(const std::vector<Grip>& grips) const {
       return false;
   }
   return true;
+}
+
+bool PossibleSlips::along_one_line(std::size_t k, const std::vector<Grip>& grips) const {
+  if (rows_.empty() || rows_[k].slips.empty()) return false;
+  const Eigen::MatrixXd free = free_motions(grips);
+  Eigen::MatrixXd slips(static_cast<Eigen::Index>(rows_[k].slips.size()), free.cols());
+  for (Eigen::Index i = 0; i < slips.rows(); ++i)
+    slips.row(i) = as_row(rows_[k].slips[static_cast<std::size_t>(i)]) * free;
+  const Eigen::VectorXd sizes = Eigen::JacobiSVD<Eigen::MatrixXd>(slips).singularValues();
+  return sizes.size() < 2 || !(sizes[1] > no_motion * sizes[0]);
 }
 
 }  // namespace poinsot::problem

@@ -187,7 +187,8 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
 }
 
 // A body of revolution under no moment about its mass center precesses about its angular momentum H_G at the rate
-// H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I') (Eqs. 18.46 to 18.49).
+// H_G/I' and spins about its axis at H_G cos(theta) (I' - I)/(I I') (Eqs. 18.46 to 18.49), where H_G cos(theta)/I is
+// the angular velocity along the axis, which a slender rod has though no moment.
 template <class Scalar, class Base>
 Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const Mark& mark,
                                                        const Evaluator<Scalar>& evaluator) {
@@ -228,8 +229,6 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
       if (f == "precession_axis") return vector(Kind::precession_axis, normalized(H));
       return number(Kind::invariable_plane, Scalar(dot(w, H) / norm(H)), dimensions::angular_velocity);
     }
-    if (f == "space_cone")
-      return number(Kind::space_cone, Scalar(atan2(norm(cross(H, w)), dot(H, w))), dimensions::angle);
     if (f == "axis_stability" || f == "poinsot_ellipsoid" || f == "polhode") {
       if constexpr (std::is_same_v<Scalar, double>)
         return poinsot_construction(call, mark, evaluator, body, H, w);
@@ -237,6 +236,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
         throw NoFormula(call.function + "() is found by numbers");
     }
     const Revolution<Scalar> revolution = revolution_of(current_mass(body).inertia_center);
+    // Where all axes are alike the angular velocity is along the angular momentum; where none are it goes round on no
+    // cone.
+    const bool has_space_cone = revolution.symmetry != InertiaSymmetry::triaxial;
+    if (f == "space_cone" && has_space_cone)
+      return number(Kind::space_cone, Scalar(atan2(norm(cross(H, w)), dot(H, w))), dimensions::angle);
     if (revolution.symmetry != InertiaSymmetry::axisymmetric)
       throw UnansweredError(
           evaluator.file(), what.mark(),
@@ -266,7 +270,7 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     if (f == "precession_rate")
       return number(Kind::precession_rate, Scalar(norm(H) / transverse), dimensions::angular_velocity);
     if (f == "spin_rate")
-      return number(Kind::spin_rate, Scalar(dot(H, axis) * (transverse - axial) / (axial * transverse)),
+      return number(Kind::spin_rate, Scalar(dot(w, axis) * (transverse - axial) / transverse),
                     dimensions::angular_velocity);
     require_one_of(f, {"precession_sense"});
     const bool direct = decided_negative(axial - transverse);
@@ -320,10 +324,13 @@ Value<Scalar> QuantityScope<Scalar, Base>::poinsot_construction(const Call& call
   const double towards_largest = I.z * (I.z - I.y) * own.z * own.z,
                towards_smallest = I.x * (I.y - I.x) * own.x * own.x;
   const double size = I.z * (I.z - I.x) * norm_squared(own);
-  const double around = norm(cross(w, H)) / (norm(w) * norm(H));
-  // A sine, and a part of the largest that the difference can be: what data of nine digits leave of zero.
+  // Moments that differ little turn the angular momentum little away from any axis.
+  const double around =
+      norm(Vector3<double>{(I.z - I.y) * own.y * own.z, (I.x - I.z) * own.z * own.x, (I.y - I.x) * own.x * own.y}) /
+      ((I.z - I.x) * norm_squared(own));
+  // Parts of the largest that the product of w and H and the difference can be: what data of nine digits leave of zero.
   constexpr double nine_digits = 1e-9;
-  if (around <= nine_digits) return Result::of_text("a point: the rotation about a principal axis");
+  if (equal(0, 2) || around <= nine_digits) return Result::of_text("a point: the rotation about a principal axis");
   if (std::abs(towards_largest - towards_smallest) <= nine_digits * size)
     return Result::of_text("on the separatrix, towards the intermediate axis");
   const bool around_largest = towards_largest > towards_smallest;

@@ -81,7 +81,8 @@ class SceneMaker {
         scene_.drawn_letters.push_back({letter.name, letter.unit.text, drawn->second / letter.unit.factor});
   }
 
-  // Where all that is drawn has its size from one length, the value of that shows in nothing.
+  // Where all that is drawn has its size from one length, the value of that shows in nothing; nor does that of a length
+  // which nothing is drawn with, as the radius of a bearing at which it rubs.
   void tell_what_grows() {
     constexpr double other = 2, rounding = 1e-9;
     for (const Letter& letter : solved_.open_letters) {
@@ -92,9 +93,12 @@ class SceneMaker {
         if (const auto value = one.find(letter.name); value != one.end()) value->second.number *= other;
       try {
         const std::vector<Vector3<double>> here = places_with(numbers_.settings()), there = places_with(larger);
-        told->only_grows = here.size() == there.size();
-        for (std::size_t i = 0; told->only_grows && i < here.size(); ++i)
-          told->only_grows = norm(Vector3<double>(there[i] - other * here[i])) <= rounding * scene_.length;
+        const auto are_times = [&](double factor) {
+          return std::ranges::equal(here, there, [&](const Vector3<double>& before, const Vector3<double>& after) {
+            return norm(Vector3<double>(after - factor * before)) <= rounding * scene_.length;
+          });
+        };
+        told->only_grows = are_times(other) || are_times(1);
       } catch (const StatementError&) {
         told->only_grows = false;
       }
@@ -116,6 +120,7 @@ class SceneMaker {
     figure.add_points();
     figure.add_symbols();
     figure.add_links();
+    add_wheels(figure);
     add_stand_ins(figure);
     std::vector<Vector3<double>> places;
     const auto add = [&](const scene::Place& place) { places.push_back(figure.on_ground(place)); };
@@ -128,6 +133,8 @@ class SceneMaker {
       add(link.from);
       add(link.to);
     }
+    for (const scene::Curve& curve : placed.curves)
+      for (const Vector3<double>& point : curve.points) add({curve.body, point});
     return places;
   }
 

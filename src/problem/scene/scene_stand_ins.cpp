@@ -350,18 +350,23 @@ std::optional<scene::Shape> stand_in(const SceneFigure& figure, int number, cons
   return ellipsoid(figure, number, mass, principal, places);
 }
 
-// Whether the middle of another body would be inside: what is inside a solid is not seen.
-bool holds_another(const SceneFigure& figure, std::size_t number, const scene::Shape& shape) {
-  const scene::Body& own = figure.scene().bodies[number];
-  double reach = 0;
-  for (const Vector3<double>& vertex : shape.vertices)
-    reach = std::max(reach, norm(Vector3<double>(vertex - own.center)));
-  const Vector3<double> middle = figure.on_ground({static_cast<int>(number), own.center});
+struct StandIn {
+  std::size_t body;
+  scene::Shape shape;
+  double reach = 0;  // from the mass center
+};
+
+// Whether the middle of another body would be inside: what is inside a solid is not seen. Of several stand-ins about
+// one middle the smallest remains, as a rotor in rings that have masses.
+bool holds_another(const SceneFigure& figure, const StandIn& own, const std::vector<StandIn>& all) {
+  const auto middle = [&](std::size_t body) {
+    return figure.on_ground({static_cast<int>(body), figure.scene().bodies[body].center});
+  };
   for (std::size_t k = 0; k < figure.situation().bodies.size(); ++k) {
-    const scene::Body& other = figure.scene().bodies[k];
-    if (k == number || other.massless) continue;
-    if (norm(Vector3<double>(figure.on_ground({static_cast<int>(k), other.center}) - middle)) < 0.5 * reach)
-      return true;
+    if (k == own.body || figure.scene().bodies[k].massless) continue;
+    if (!(norm(Vector3<double>(middle(k) - middle(own.body))) < 0.5 * own.reach)) continue;
+    const auto other = std::ranges::find(all, k, &StandIn::body);
+    if (other == all.end() || std::pair(other->reach, k) < std::pair(own.reach, own.body)) return true;
   }
   return false;
 }
@@ -369,18 +374,24 @@ bool holds_another(const SceneFigure& figure, std::size_t number, const scene::S
 }  // namespace
 
 void add_stand_ins(SceneFigure& figure) {
+  std::vector<StandIn> all;
   for (std::size_t k = 0; k < figure.situation().bodies.size(); ++k) {
-    scene::Body& drawn = figure.scene().bodies[k];
+    const scene::Body& drawn = figure.scene().bodies[k];
     if (drawn.massless || !drawn.shapes.empty()) continue;
     // What stands on corners is no round solid: arms from its center to them show it.
     if (std::ranges::any_of(figure.situation().contacts,
                             [&](const Contact& contact) { return contact.corner && contact.of == drawn.name; }))
       continue;
-    if (std::optional<scene::Shape> shape = stand_in(figure, static_cast<int>(k), figure.situation().bodies[k],
-                                                     figure.machine().masses[k].second.properties);
-        shape && !holds_another(figure, k, *shape))
-      drawn.shapes.push_back(std::move(*shape));
+    std::optional<scene::Shape> shape = stand_in(figure, static_cast<int>(k), figure.situation().bodies[k],
+                                                 figure.machine().masses[k].second.properties);
+    if (!shape) continue;
+    double reach = 0;
+    for (const Vector3<double>& vertex : shape->vertices)
+      reach = std::max(reach, norm(Vector3<double>(vertex - drawn.center)));
+    all.push_back({k, std::move(*shape), reach});
   }
+  for (const StandIn& one : all)
+    if (!holds_another(figure, one, all)) figure.scene().bodies[one.body].shapes.push_back(one.shape);
 }
 
 }  // namespace poinsot::problem

@@ -1,6 +1,7 @@
 #include "problem/scene/scene_wheels.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <iterator>
@@ -19,6 +20,38 @@ constexpr double same_part = 1e-6;  // of the radius: what wheels that are one d
 bool lie_in_one_plane(const SceneWheel& a, const SceneWheel& b) {
   return a.body == b.body && norm(Vector3<double>(a.center - b.center)) <= same_part * a.radius &&
          norm(Vector3<double>(cross(a.axis, b.axis))) <= same_part;
+}
+
+// Whether a shape of the body is round with the radius about the axis of the wheel.
+bool is_seen(const SceneFigure& figure, const SceneWheel& wheel) {
+  const scene::Body& body = figure.scene().bodies[static_cast<std::size_t>(wheel.body)];
+  const Vector3<double> center = transpose_times(body.pose.R, Vector3<double>(wheel.center - body.pose.p));
+  const Vector3<double> axis = transpose_times(body.pose.R, wheel.axis);
+  constexpr double alike = 1e-3;
+  return std::ranges::any_of(body.shapes, [&](const scene::Shape& shape) {
+    constexpr std::ptrdiff_t round = 8;  // vertices: corners may lie as far from the axis
+    return std::ranges::count_if(shape.vertices, [&](const Vector3<double>& vertex) {
+             return std::abs(norm(Vector3<double>(cross(vertex - center, axis))) - wheel.radius) < alike * wheel.radius;
+           }) >= round;
+  });
+}
+
+scene::Curve circle_of(const SceneFigure& figure, const SceneWheel& wheel, scene::CurveKind kind) {
+  const cubature::Triad<double> triad(wheel.axis);
+  scene::Curve circle{kind, "", wheel.body, true, {}};
+  constexpr int count = 72;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    const Vector3<double> at =
+        wheel.center + wheel.radius * (std::cos(angle) * triad.first + std::sin(angle) * triad.second);
+    if (wheel.body == scene::ground) {
+      circle.points.push_back(at);
+      continue;
+    }
+    const scene::Pose& pose = figure.scene().bodies[static_cast<std::size_t>(wheel.body)].pose;
+    circle.points.push_back(transpose_times(pose.R, Vector3<double>(at - pose.p)));
+  }
+  return circle;
 }
 
 // On the axes of the body.
@@ -58,6 +91,17 @@ void add_disks(SceneFigure& figure, int body, const std::vector<SceneWheel>& whe
   // The rim tells where teeth meet.
   std::erase_if(figure.scene().curves, [&](const scene::Curve& curve) {
     return curve.kind == scene::CurveKind::pitch_circle && curve.body == body;
+  });
+}
+
+// Whether a cord ends on a wheel or goes round it, rather than teeth meeting there.
+bool leads_a_cord(const SceneFigure& figure, const SceneWheel& wheel) {
+  return std::ranges::any_of(figure.mechanism().components, [&](const Component<double>& part) {
+    if (!part.span) return false;
+    return std::ranges::any_of(std::array{part.span->from, part.span->to}, [&](const CordEnd<double>& end) {
+      return end.reach != 0 && figure.scene_body(end.body()) == wheel.body &&
+             std::abs(std::abs(end.reach) - wheel.radius) <= same_part * wheel.radius;
+    });
   });
 }
 
@@ -113,19 +157,15 @@ void add_wheels(SceneFigure& figure) {
   const std::vector<SceneWheel> wheels = wheels_of(figure);
   for (const SceneWheel& wheel : wheels) {
     if (wheel.body == scene::ground) {
-      const cubature::Triad<double> triad(wheel.axis);
-      scene::Curve circle{scene::CurveKind::post, "", scene::ground, true, {}};
-      constexpr int count = 72;
-      for (int i = 0; i < count; ++i) {
-        const double angle = 2 * std::numbers::pi * i / count;
-        circle.points.push_back(wheel.center +
-                                wheel.radius * (std::cos(angle) * triad.first + std::sin(angle) * triad.second));
-      }
-      figure.scene().curves.push_back(std::move(circle));
+      figure.scene().curves.push_back(circle_of(figure, wheel, scene::CurveKind::post));
       continue;
     }
-    if (figure.scene().bodies[static_cast<std::size_t>(wheel.body)].shapes.empty())
+    const auto& shapes = figure.scene().bodies[static_cast<std::size_t>(wheel.body)].shapes;
+    if (shapes.empty())
       add_disks(figure, wheel.body, wheels);
+    else if (leads_a_cord(figure, wheel) && !is_seen(figure, wheel))
+      // What a cord winds on, as the hub of a reel whose rim alone is stated.
+      figure.scene().curves.push_back(circle_of(figure, wheel, scene::CurveKind::pitch_circle));
   }
 }
 

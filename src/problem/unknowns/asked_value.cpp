@@ -151,8 +151,14 @@ class AskedTable {
     Sample there =
         stated ? Sample(stated, std::move(all), sample_.choice()) : Sample(statement, std::move(all), sample_.choice());
     if (confirm) there.write_down_what_is_told();
-    for (const NamedExpression& column : table_.columns)
-      add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
+    for (const NamedExpression& column : table_.columns) try {
+        add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
+      } catch (const NotHappeningError& error) {
+        const Diagnostic told = of_row(error, row);
+        throw NotHappeningError(told.file, told.mark, told.message, told.hint, error.until());
+      } catch (const UnansweredError& error) {
+        throw UnansweredError(of_row(error, row));
+      }
     note_unphysical(there, row);
     if (confirm &&
         !std::ranges::all_of(there.instants(), [](const auto& item) { return confirmed_by_all_roads(*item.second); }))
@@ -228,6 +234,13 @@ class AskedTable {
                             "the motion of its bodies, each by itself, does not confirm the row " + row_words(row) +
                                 " (rates off by " + with_digits(misfit, 2) + " of the pace)");
     }
+  }
+  // Why a row has no answer, with the row.
+  Diagnostic of_row(const UnansweredError& error, double row) const {
+    Diagnostic told = error.diagnostics().front();
+    told.message = "in the row " + row_words(row) + ": " + told.message;
+    told.hint = "let the table run over values that have an answer" + (told.hint.empty() ? "" : ", or " + told.hint);
+    return told;
   }
   std::string row_words(double row) const {
     const Unit unit = situation_.habits.unit_for(dimension_);

@@ -114,6 +114,15 @@ ExtremumSearch::Span ExtremumSearch::span() const {
   return {ranges[0].lower, ranges[0].upper, span.scale};
 }
 
+std::optional<double> ExtremumSearch::own_value() const {
+  const std::string& name = ask_.extremum->name;
+  const Settings& own = settings_[situation_of(statement_, ask_)];
+  if (const auto set = own.find(name); set != own.end()) return set->second.number;
+  for (const NamedExpression& item : situation_.given)
+    if (item.name == name) return DataScope<double>(situation_, own).value(item.value).number;
+  return std::nullopt;
+}
+
 bool ExtremumSearch::has_unknowns() const {
   return std::any_of(situation_.find.begin(), situation_.find.end(),
                      [&](const Unknown& unknown) { return unknown.name != ask_.extremum->name; });
@@ -346,7 +355,10 @@ ExtremumFound ExtremumSearch::found_end() {
   }
   if (!std::isfinite(range.upper) || !std::isfinite(range.lower))
     grid.push_back(std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0);
+  // What holds nearby alone holds at the value that the datum has, if anywhere.
+  if (const auto own = own_value(); own && *own >= range.lower && *own <= range.upper) grid.push_back(*own);
   std::sort(grid.begin(), grid.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   if (side < 0) std::reverse(grid.begin(), grid.end());
   // Where nothing in the problem gives the datum a size, its unit is a guess: the end may lie many decades farther out.
   // With the three of the grid that is more than lies between any two units of one quantity.

@@ -60,6 +60,8 @@ class ExtremumSearch {
     AllSettings settings;
   };
   std::vector<Found> found_at(double value);
+  // The value that the datum has by itself; nothing if it has none.
+  std::optional<double> own_value() const;
   bool has_unknowns() const;
   bool may_be(const Contact& contact, Grip grip) const;
   std::vector<Found> found_beside_unknowns(double value);

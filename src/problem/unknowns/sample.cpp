@@ -180,6 +180,25 @@ bool Sample::contact_states_hold() {
   return true;
 }
 
+void Sample::hold_forces_at_starts() {
+  for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
+    const Situation& situation = statement_.situations[i];
+    if (situation.has_blow() || !situation.neglect.empty()) continue;
+    const std::vector<const Instant*> starts = instants_at_start(situation);
+    const bool stated = std::ranges::any_of(starts, [&](const Instant* start) {
+      return std::ranges::any_of(start->facts, [&](const Fact& fact) {
+        return level_of(situation, fact.quantity) == Level::force && !is_any(fact.value);
+      });
+    });
+    if (!stated) continue;
+    try {
+      instant(start_of(i)).solve_forces();
+    } catch (const UnansweredError&) {
+      // What has no forces has none that could contradict.
+    }
+  }
+}
+
 // An expression that asks for nothing of the model has the same value in every situation.
 Situated Sample::situated_in(const Expression& expression, std::size_t otherwise) const {
   if (!asks_model(statement_.situations[otherwise], expression)) return {otherwise, expression};
@@ -189,10 +208,10 @@ Situated Sample::situated_in(const Expression& expression, std::size_t otherwise
 Sample::Home Sample::home_of(const Ask& ask) {
   if (ask.when) return start_of(situated(statement_, ask.when->condition).situation);
   if (ask.table) {
+    // What happens in the rows need not happen at the value that the datum has here.
     const std::vector<std::string> data = settable_names(statement_.situations.front());
-    const NamedExpression& front = ask.table->columns.front();
     if (std::ranges::find(data, ask.table->over) != data.end())
-      return start_of(home(front.value, front.mark).situation);
+      return start_of(situated_in(ask.table->columns.front().value, 0).situation);
     for (const NamedExpression& column : ask.table->columns)
       if (const std::size_t situation_index = situated_in(column.value, 0).situation; situation_index > 0)
         return start_of(situation_index);

@@ -79,6 +79,9 @@ class Sample {
   }
   // Whether all contacts with friction stay in their states at the starts of the situations.
   bool contact_states_hold();
+  // Accelerations and forces that are stated at a start hold whatever is asked. Throws StatementError where they do
+  // not.
+  void hold_forces_at_starts();
   // The situation that an expression means, `otherwise` if it asks for nothing of the model.
   Situated situated_in(const Expression& expression, std::size_t otherwise) const;
 

@@ -358,11 +358,18 @@ std::string UnknownSearch::nothing_found(UnknownEquations& equations, const solv
     }
   if (beyond) {
     std::vector<std::string> negative;
-    for (std::size_t k = 0; k < beyond->size(); ++k)
-      if ((*beyond)[k] < 0) add_once(negative, equations.slots()[k].unknown.name);
+    bool matter = true;
+    for (std::size_t k = 0; k < beyond->size(); ++k) {
+      if (!((*beyond)[k] < 0)) continue;
+      const Unknown& unknown = equations.slots()[k].unknown;
+      add_once(negative, unknown.name);
+      for (const std::size_t i : system.situations())
+        matter = matter && is_amount_of_matter(statement_.situations[i], unknown);
+    }
     return text + "; they hold with " + values_in_words(equations.slots(), *beyond) + ", but " + listed(negative) +
-           (negative.size() > 1 ? " are" : " is") +
-           " taken as not negative (turn round what pushes, or write {signed: UNIT} under find:)";
+           (negative.size() > 1 ? " are" : " is") + " taken as not negative (" +
+           (matter ? "no body has a negative mass: what is cut out of one stands under added: with hole: true)"
+                   : "turn round what pushes, or write {signed: UNIT} under find:)");
   }
   if (result.best.empty()) return text;
   // If the situation is solved at this place, its error tells what clashes. That needs values for all of its

@@ -24,6 +24,21 @@ std::string place_of(const Statement& statement, const Mark& mark) {
   return statement.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column) + ": ";
 }
 
+// The values that a root gives to the slots; nothing where one is a vector or has none.
+std::optional<std::vector<double>> values_of_slots(const std::vector<UnknownSlot>& slots, const AllSettings& root) {
+  std::vector<double> values;
+  for (const UnknownSlot& slot : slots) {
+    if (slot.unknown.vector) return std::nullopt;
+    for (const Settings& one : root)
+      if (const auto value = one.find(slot.unknown.name); value != one.end()) {
+        values.push_back(value->second.number);
+        break;
+      }
+  }
+  if (values.size() != slots.size()) return std::nullopt;
+  return values;
+}
+
 // What a second road finds against the roots of a choice.
 std::optional<std::string> doubt_of(const Statement& statement, UnknownEquations& equations, const Choice& choice,
                                     const std::vector<AllSettings>& roots) {
@@ -41,16 +56,9 @@ std::optional<std::string> doubt_of(const Statement& statement, UnknownEquations
   ChoicesFound found;
   if (!choice.least_total) found.exactly = static_cast<int>(choice.exactly);
   for (const AllSettings& root : roots) {
-    std::vector<double>& values = found.solutions.emplace_back();
-    for (const UnknownSlot& slot : slots) {
-      if (slot.unknown.vector) return std::nullopt;
-      for (const Settings& one : root)
-        if (const auto value = one.find(slot.unknown.name); value != one.end()) {
-          values.push_back(value->second.number);
-          break;
-        }
-    }
-    if (values.size() != slots.size()) return std::nullopt;
+    const auto values = values_of_slots(slots, root);
+    if (!values) return std::nullopt;
+    found.solutions.push_back(*values);
   }
   return choice_doubt(equations, amounts, found);
 }
@@ -104,8 +112,65 @@ RootsFound UnknownSearch::find_chosen(const UnknownSystem& system, const AllSett
     all.roots.clear();
     all.warnings.push_back(place_of(statement_, choice.mark) + "what was found of '" + choice.name +
                            "' is not confirmed: " + *doubt);
+  } else if (choice.least_total) {
+    open_a_tie(equations, choice, all);
   }
   return all;
+}
+
+// Where several choices have the least total, so have their mixtures, if the conditions are linear: then what differs
+// between them is open, and one of them and a mixture of all stand for the rest.
+void UnknownSearch::open_a_tie(UnknownEquations& equations, const Choice& choice, RootsFound& all) const {
+  if (all.roots.size() < 2) return;
+  const std::vector<UnknownSlot>& slots = equations.slots();
+  std::vector<double> mixture(slots.size(), 0.0);
+  std::set<std::size_t> differing;
+  const auto first = values_of_slots(slots, all.roots.front());
+  // Unequal shares, so that what hangs on them is not the same by chance.
+  double share = 1, shares = 0;
+  for (const AllSettings& root : all.roots) {
+    const auto values = values_of_slots(slots, root);
+    if (!values || !first) return;
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      mixture[k] += share * (*values)[k];
+      if (std::abs((*values)[k] - (*first)[k]) > same_total * std::max(std::abs((*values)[k]), std::abs((*first)[k])))
+        differing.insert(k);
+    }
+    shares += share;
+    share *= 1.37;
+  }
+  for (double& value : mixture) value /= shares;
+  const auto left = equations(mixture);
+  constexpr double holds = 1e-11;  // of the terms: a mixture leaves of linear conditions what its parts do, rounding
+  if (!left || differing.empty() ||
+      std::ranges::any_of(left->values, [&](double value) { return std::abs(value) > holds * left->size; }))
+    return;
+  AllSettings mixed = equations.settings_at(mixture);
+  std::vector<Value<double>> chosen;
+  for (const std::string& name : choice.of) {
+    const std::set<std::string> unknowns = unknowns_of_amount(statement_, name);
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      if (unknowns.contains(slots[k].unknown.name) && mixture[k] > 0) {
+        chosen.push_back(Value<double>::of_text(name));
+        break;
+      }
+  }
+  for (Settings& one : mixed) one[choice.name] = Value<double>::of_list(chosen);
+  std::vector<std::string> names;
+  for (const std::size_t k : differing) {
+    OpenUnknown open{slots[k].unknown.name, std::nullopt};
+    for (const std::size_t situation : equations.system().situations())
+      if (is_own(situation, open.name)) open.situation = situation;
+    add_once(names, open.name);
+    add_once(all.open, open);
+  }
+  const Unit& unit = slots[*differing.begin()].unknown.unit;
+  all.warnings.push_back(place_of(statement_, choice.mark) + "the least total under '" + choice.name + "' is " +
+                         with_digits(total_of(choice, all.roots.front()) / unit.factor, 6) +
+                         (unit.text.empty() ? "" : " " + unit.text) + ", and " + listed(names) +
+                         " can make it up in more than one way: their shares are open");
+  all.roots.resize(1);
+  all.alternative = std::move(mixed);
 }
 
 RootsFound UnknownSearch::find_subsets(const UnknownSystem& system, const AllSettings& settings, const Choice& choice,

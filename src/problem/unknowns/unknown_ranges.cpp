@@ -82,6 +82,19 @@ bool is_coordinate(const Situation& situation, const std::string& name) {
          });
 }
 
+// Whether the name is a weight or a density of matter. Masses are told by their unit.
+bool is_amount(const Situation& situation, const std::string& name) {
+  const auto states = [&](const Amount& amount) {
+    return is_bare(amount.weight, name) || is_bare(amount.density, name) || is_bare(amount.specific_weight, name);
+  };
+  return std::ranges::any_of(situation.bodies, [&](const Body& body) {
+    const auto any_of = [&](const std::vector<poinsot::problem::Part>& parts) {
+      return std::ranges::any_of(parts, states, &poinsot::problem::Part::amount);
+    };
+    return states(body.amount) || any_of(body.parts) || any_of(body.added);
+  });
+}
+
 // Whether the name is a stiffness or a damping constant. These are not negative.
 bool is_resistance(const Situation& situation, const std::string& name) {
   for (const Joint& joint : situation.joints)
@@ -116,12 +129,17 @@ Value<double> quantity_at(const Situation& situation, const Settings& settings, 
 
 }  // namespace
 
+bool is_amount_of_matter(const Situation& situation, const Unknown& unknown) {
+  return unknown.unit.dimension == dimensions::mass || is_amount(situation, unknown.name);
+}
+
 bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown) {
   if (unknown.vector || unknown.either_sign) return false;
   const Dimension& d = unknown.unit.dimension;
-  if (d == dimensions::mass || d == dimensions::time) return true;
+  if (d == dimensions::time) return true;
   if (d == dimensions::length) return is_extent(situation, unknown.name) || !is_coordinate(situation, unknown.name);
-  return is_resistance(situation, unknown.name) || is_chosen_push(statement, situation, unknown.name);
+  return is_amount_of_matter(situation, unknown) || is_resistance(situation, unknown.name) ||
+         is_chosen_push(statement, situation, unknown.name);
 }
 
 void narrow_ranges(const Situation& situation, const Settings& settings, std::vector<solve::RootRange>& ranges,

@@ -18,8 +18,8 @@ void narrow_ranges(const Situation& situation, const Settings& settings, std::ve
                    const SlotOf& slot_of);
 
 // natural: the size of a quantity of each slot's dimension in this problem, or 0 if unknown. A range that is stated
-// is taken. Otherwise masses, durations, lengths that are not coordinates, stiffnesses, dampings and pushes to choose
-// from are not negative, and angles are within half a turn of zero.
+// is taken. Otherwise masses, weights, densities, durations, lengths that are not coordinates, stiffnesses, dampings
+// and pushes to choose from are not negative, and angles are within half a turn of zero.
 std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
                                         const AllSettings& settings, const std::vector<double>& natural);
 
@@ -30,6 +30,9 @@ std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, co
 
 // Whether an unknown is a number that nature does not let be negative: a mass, a duration, the length of a body.
 bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown);
+
+// Whether an unknown is an amount of matter, which {signed: UNIT} lets be negative in no body.
+bool is_amount_of_matter(const Situation& situation, const Unknown& unknown);
 
 // Whether the conditions under `where:` hold, except those on `sought` unknowns without value.
 bool satisfies_where(const Statement& statement, const std::vector<std::size_t>& situations,

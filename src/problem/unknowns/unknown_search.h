@@ -72,6 +72,7 @@ class UnknownSearch {
                          std::size_t subset, double zero);
   // All choices of some of the amounts with which the conditions hold to such a part.
   RootsFound find_subsets(const UnknownSystem& system, const AllSettings& settings, const Choice& choice, double zero);
+  void open_a_tie(UnknownEquations& equations, const Choice& choice, RootsFound& all) const;
   // Explains why no choice has a solution.
   std::string nothing_chosen(const UnknownSystem& system, const AllSettings& settings, const Choice& choice) const;
   double total_of(const Choice& choice, const AllSettings& settings) const;

@@ -124,6 +124,22 @@ TEST(Budget, a_grace_gives_a_little_time_after_the_end) {
   EXPECT_EQ(how_budget_ended(), BudgetEnd::interrupted);
 }
 
+// Work that counts too little for the time it takes ends by the clock of what has ended.
+TEST(Budget, a_grace_ends_by_the_clock_as_well) {
+  Clock::time_point now{};
+  const BudgetScope scope(Budget().by_clock([&now] { return now; }).end_after(milliseconds(10)));
+  now += milliseconds(10);
+  EXPECT_TRUE(budget_ended());
+  const BudgetGrace grace;
+  EXPECT_FALSE(budget_ended());
+  now += milliseconds(20);
+  for (int i = 0; i < 16; ++i) EXPECT_FALSE(budget_ended());
+  now += milliseconds(25);
+  bool ended = false;
+  for (int i = 0; i < 16; ++i) ended = ended || budget_ended();
+  EXPECT_TRUE(ended);
+}
+
 // Calls every microsecond look at the clock seldom; when each call takes three milliseconds the deadline is still seen
 // within fifty.
 TEST(Budget, the_clock_is_looked_at_seldom_and_the_deadline_is_seen_in_time) {

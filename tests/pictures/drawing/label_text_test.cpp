@@ -53,6 +53,20 @@ TEST(LabelText, reads_the_tex_of_worked_solutions) {
   EXPECT_EQ(told(words_label("R = 5 N")), "u:R = 5 N");
 }
 
+// The center of a body among several: its name is no part of the word that the G would begin.
+TEST(LabelText, an_index_of_an_index_stands_lower) {
+  const Label label = tex_label("\\mathbf{H}_{G_{\\mathrm{one}}}c");
+  ASSERT_EQ(label.runs.size(), 4U);
+  EXPECT_EQ(label.runs[1].text, "G");
+  EXPECT_EQ(label.runs[2].text, "one");
+  EXPECT_GT(label.runs[2].offset.y, label.runs[1].offset.y);
+  EXPECT_LT(label.runs[2].size, label.runs[1].size);
+  EXPECT_GT(label.runs[2].size, 0.55 * label.runs[0].size);
+  EXPECT_EQ(label.runs[3].offset.y, 0);
+  EXPECT_EQ(label.runs[3].size, label.runs[0].size);
+  EXPECT_GE(label.box.bottom, label.runs[2].offset.y);
+}
+
 TEST(LabelText, a_root_has_a_bar_over_all_of_it) {
   EXPECT_EQ(told(formula_label("-sqrt(2)*m*a/96")), "u:−√2 i:m i:a u:/96 bar");
   EXPECT_EQ(told(formula_label("sqrt(a + sqrt(b))*c")), "u:√ i:a u: + √ i:b i:c bar bar");

@@ -128,6 +128,9 @@ TEST(ClearFigures, a_mass_center_without_name_has_the_one_of_its_momentum) {
   EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
   scene.diagrams[0].arrows[0].symbol = "\\mathbf{H}'_{G}";
   EXPECT_NE(label_of(figure(scene, cut, "", {}), "G"), nullptr);
+  scene.diagrams[0].arrows[0].symbol = "\\mathbf{H}'_{G_{\\mathrm{one}}}";
+  EXPECT_NE(label_of(figure(scene, cut, "", {}), "Gone"), nullptr);  // the index in a run of its own
+  scene.diagrams[0].arrows[0].symbol = "\\mathbf{H}'_{G}";
   // It has it in all diagrams of the equation.
   scene.diagrams.insert(scene.diagrams.begin(),
                         {.kind = scene::DiagramKind::free_body,
@@ -281,6 +284,59 @@ TEST(ClearFigures, a_turning_alone_is_not_looked_at_along_its_axis) {
     const View view = chosen_view(scene, {0}, arrows, shown_poses(scene));
     EXPECT_GT(norm(Projection(view, 1).direction_of(Vector::unit(k))), 1.0 / 3);
   }
+}
+
+// A wheel on an upright shaft, and what moves on a screw; a wheel on a level shaft is looked at along it.
+TEST(ClearFigures, upright_shafts_and_screws_are_seen_from_the_side) {
+  for (const scene::SymbolKind kind : {scene::SymbolKind::revolute, scene::SymbolKind::screw})
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const bool upright : {true, false}) {
+        scene::Scene scene;
+        scene.gravity = true;
+        scene.up = Vector::unit(upright ? k : (k + 1) % 3);
+        scene.length = 1;
+        const Vector axis = Vector::unit(k);
+        const Outline wheel = outlines::cylinder(-0.1 * axis, 0.1 * axis, 1);
+        scene.bodies = {{.name = "wheel",
+                         .mass = 1,
+                         .shapes = {{.kind = "cylinder",
+                                     .part = "",
+                                     .vertices = wheel.vertices,
+                                     .triangles = wheel.triangles,
+                                     .normals = wheel.normals,
+                                     .edges = wheel.edges}}}};
+        scene.symbols = {{.kind = kind, .name = "shaft", .to = 0, .place = {0, {}}, .axis = axis}};
+        const std::vector<scene::Arrow> arrows{arrow(scene::Quantity::couple, 0, {}, axis, "C")};
+        const double seen = norm(Projection(chosen_view(scene, {0}, arrows, shown_poses(scene)), 1).direction_of(axis));
+        if (upright || kind == scene::SymbolKind::screw)
+          EXPECT_GT(seen, 1.0 / 3) << k;
+        else
+          EXPECT_LT(seen, 1e-6) << k;
+      }
+}
+
+// Its rims lie behind each other.
+TEST(ClearFigures, a_shell_that_is_seen_along_its_axis_is_one_round_line) {
+  const Outline shell = outlines::cylinder_shell({0, 0, -0.5}, {0, 0, 0.5}, 1);
+  scene::Scene scene;
+  scene.bodies = {{.name = "bowl",
+                   .mass = 1,
+                   .shapes = {{.kind = "cylinder_shell",
+                               .part = "",
+                               .extent = scene::Extent::surface,
+                               .vertices = shell.vertices,
+                               .triangles = shell.triangles,
+                               .normals = shell.normals,
+                               .edges = shell.edges}}}};
+  const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+  std::size_t outlines = 0;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* stroke = std::get_if<Stroke>(&mark); stroke != nullptr && stroke->role == Role::outline) {
+      EXPECT_TRUE(stroke->closed);
+      ++outlines;
+    }
+  EXPECT_GE(outlines, 1U);
+  EXPECT_LE(outlines, 2U);
 }
 
 TEST(ClearFigures, an_egg_is_seen_as_long_as_it_is) {

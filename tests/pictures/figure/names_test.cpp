@@ -41,6 +41,43 @@ TEST(Names, a_wheel_at_the_end_of_its_axle_has_its_name_at_the_wheel) {
   }
 }
 
+// Two rods that lean: what stands in the middle of a side of the box around one is far from it.
+TEST(Names, a_slanting_rod_has_its_name_beside_it) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> draw(0.3, 0.7);
+  for (int round = 0; round < 20; ++round) {
+    const double foot = draw(random);
+    scene::Scene scene;
+    scene.up = {0, 1, 0};
+    scene.length = 1;
+    const auto rod = [&](const std::string& name, double side) {
+      return scene::Body{
+          .name = name, .mass = 1, .shapes = {pictures_test::wire_shape({{0, 1, 0}, {side * foot, 0, 0}})}};
+    };
+    scene.bodies = {rod("left", -1), rod("right", 1)};
+    // Lengths beside them take the places that are nearest.
+    for (const int body : {0, 1})
+      scene.dimensions.push_back(
+          {.name = "L", .text = "L", .from = {body, {0, 1, 0}}, .to = {body, {body == 0 ? -foot : foot, 0, 0}}});
+    const Drawing drawing = figure(scene, {FigureKind::model, "model", "The figure", scene::ground}, "",
+                                   {.view = view_from({0, 0, 1}, scene.up)});
+    std::size_t found = 0;
+    for (const Mark& mark : drawing.marks) {
+      const auto* label = std::get_if<Label>(&mark);
+      if (label == nullptr || (label->runs.front().text != "left" && label->runs.front().text != "right")) continue;
+      ++found;
+      const Box box = label->placed();
+      double away = 1e9;
+      for (const Mark& other : drawing.marks)
+        if (const auto* stroke = std::get_if<Stroke>(&other); stroke != nullptr && stroke->role == Role::rod)
+          for (std::size_t i = 0; i + 1 < stroke->points.size(); ++i)
+            away = std::min(away, distance(box.center(), stroke->points[i], stroke->points[i + 1]));
+      EXPECT_LT(away, box.width() / 2 + 16) << round;
+    }
+    EXPECT_EQ(found, 2U) << round;
+  }
+}
+
 // Two bars with a pin at B, a point of the first: cut free, the second has its name there as well, and not that of A.
 TEST(Names, the_pin_of_a_joint_is_named_on_both_bodies_that_it_joins) {
   for (const int cut_free : {0, 1}) {

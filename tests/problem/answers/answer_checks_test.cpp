@@ -212,5 +212,52 @@ gravity: -z
   EXPECT_GT(stable.checks.at("stability"), 1e-3);
 }
 
+// What is stated of accelerations and forces at the start is held whatever is asked: k s / m is 2.5 m/s^2 there.
+TEST(Facts, AccelerationsAndForcesAtTheStartHoldWhateverIsAsked) {
+  const auto told = [](const std::string& stated, const std::string& ask) -> std::string {
+    try {
+      solved(
+          "given: {m: 2 kg, k: 50 N/m}\npoints: {B: [0, 0, 0]}\nbodies: {b: {particle: B, mass: m}}\n"
+          "joints: {rail: {prismatic: x, at: B, to: b, displacement: s, spring: {stiffness: k}}}\ngravity: none\n"
+          "instants: {start: {s: 0.1 m, s': 1 m/s, " +
+          stated + "}}\nask: {a: " + ask + "}\n");
+    } catch (const StatementError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const char* ask : {"s @ 0.3 s", "max(s)", "kinetic_energy(b)"}) {
+    EXPECT_EQ(told("s'': 7 m/s^2", ask),
+              "test.yaml:6:41: error: these cannot all hold together: forces on b along x; 'start': s'' (correct or "
+              "remove one of them)")
+        << ask;
+    EXPECT_NE(told("'reaction(rail).y': 3 N", ask), "") << ask;
+    EXPECT_EQ(told("s'': -2.5 m/s^2", ask), "") << ask;
+    EXPECT_EQ(told("'reaction(rail).y': 0 N", ask), "") << ask;
+  }
+}
+
+// A box that spins about an axis round which it is not alike precesses steadily on no ball joint: the moments balance
+// in the position that is drawn alone. A body of revolution in its place is told to be stable or not.
+TEST(Checks, a_steady_motion_that_is_none_is_told) {
+  const auto notes = [](const std::string& body) {
+    const Solution solution = solved(
+        "given: {m: 2 kg, h: 0.1 m, P: 3 rad/s}\nfind: {s: rad/s}\n"
+        "points: {O: [0, 0, 0], G: [h, 0, 0]}\nframes: {f: {turns: z, rate: P}}\n"
+        "bodies: {b: {" +
+        body +
+        ", mass: m}}\njoints: {tip: {ball: O, to: b}}\n"
+        "steady: {frame: f, spins: {b: {about: O->G, rate: s}}}\ngravity: -z\n"
+        "ask: {s: s}\n");
+    std::string all;
+    for (const std::string& note : solution.notes) all += note + "\n";
+    return all;
+  };
+  const std::string looked_at = "the steady motion is looked at where it is drawn; as it goes on, ";
+  for (const char* sides : {"[2 cm*x, 10 cm*y, 20 cm*z]", "[2 cm*x, 20 cm*y, 10 cm*z]"})
+    EXPECT_NE(notes("box: {center: G, sides: " + std::string(sides) + "}").find(looked_at), std::string::npos) << sides;
+  EXPECT_EQ(notes("disk: {center: G, normal: x, radius: 10 cm}").find(looked_at), std::string::npos);
+}
+
 }  // namespace answer_checks_test
 }  // namespace poinsot::problem

@@ -181,5 +181,26 @@ ask:
   EXPECT_EQ(solution.notes.front(), "v by dimensional analysis, with numbers of 12 digits");
 }
 
+// A cone that rolls so fast and is so large that none of the first draws is.
+TEST(ClaimsTold, WhatIsAssumedIsMetFarFromTheSizesOfUnits) {
+  const Solution solution = solution_of(R"(
+letters: {m: kg, h: m, a: rad, p: rad/s}
+points: {O: [0, 0, 0], B: 'h*[cos(a), sin(a), 0]', C: [h/cos(a), 0, 0]}
+frames: {figure: {turns: y, rate: p}}
+bodies: {cone: {cone: {apex: O, base: B, radius: h*tan(a)}, mass: m}}
+joints: {tip: {ball: O, to: cone}}
+contacts: {rim: {of: cone, at: C, normal: y, no_slip: true, carries: [push, z]}}
+steady: {frame: figure, spins: {cone: {about: O->B, rate: -p/sin(a)}}}
+gravity: -y
+claim:
+  moves: {claim: kinetic_energy(cone) > 0 J, assume: [0 < a < 40 deg, p > 30 rad/s, h > 1 m]}
+  rests: {claim: kinetic_energy(cone) < 0 J, assume: [0 < a < 40 deg, p > 30 rad/s, h > 1 m]}
+)");
+  EXPECT_EQ(solution.claims.at(0).state, AskState::found) << solution.claims[0].reason;
+  EXPECT_TRUE(solution.claims[0].holds);
+  EXPECT_EQ(solution.claims.at(1).state, AskState::found) << solution.claims[1].reason;
+  EXPECT_FALSE(solution.claims[1].holds);
+}
+
 }  // namespace claims_told_test
 }  // namespace poinsot::problem

@@ -144,5 +144,24 @@ ask: {T: tension(c)}
   EXPECT_TRUE(hangs.conditions.empty());
 }
 
+// Bodies that part strike nothing, which numbers refuse: that they approach is told, unless they always do.
+TEST(FormulaReach, what_strikes_approaches) {
+  const auto blow = [](const std::string& letter, const std::string& other) {
+    return solved("letters: {m: kg, v: " + letter + ", u: " + letter + R"(, e: 1}
+points: {A: [0, 0, 0]}
+bodies: {p: {particle: A, mass: m}, q: {particle: A, mass: m}}
+impacts: {hit: {of: q, against: p, at: A, pushes: x, restitution: e}}
+gravity: none
+instants: {before: {velocity(p): [v, 0, 0], velocity(q): [)" +
+                  other + R"(, 0, 0]}}
+ask: {J: impulse(hit on q).x, lost: kinetic_energy(system) @ before}
+)");
+  };
+  const Solution meet = blow("{signed: m/s}", "u");
+  EXPECT_EQ(std::ranges::count(meet.assumptions, "v - u > 0"), 1) << meet.assumptions.size();
+  const Solution head_on = blow("m/s", "-u");
+  EXPECT_TRUE(head_on.assumptions.empty());
+}
+
 }  // namespace formula_reach_test
 }  // namespace poinsot::problem

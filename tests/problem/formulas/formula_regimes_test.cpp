@@ -266,6 +266,15 @@ loads: {f: {force: [F, 0, 0], body: w}}
 gravity: -y
 instants: {now: rest}
 ask: {l: tension(l), r: tension(r), most: 'max(tension(l) with tension(r))', a: norm(acceleration(w))}
+)",
+    R"(letters: {m: kg, L: m, d: m, h: m, J: N*s}
+points: {A: [0, 0, 0], B: [L, 0, 0], C: [d, 0, 0], P: [0, h, 0], Q: [L, h, 0]}
+bodies: {bar: {rod: [A, B], mass: m}}
+cords: {a: {at: P, to: bar, end: A}, b: {at: Q, to: bar, end: B}}
+impulses: {hit: {body: bar, at: C, value: [0, J, 0]}}
+instants: {before: rest}
+gravity: none
+ask: {a: impulse(a on bar).y, b: impulse(b on bar).y, both: 'impulse(a on bar).y + impulse(b on bar).y', n: norm(impulse(b on bar)), T: kinetic_energy(bar)}
 )"};
 
 // Followed over time, by laws that hold on one side of a bound.
@@ -318,6 +327,36 @@ TEST(FormulaRegimes, the_bound_of_a_law_is_an_exact_one) {
   EXPECT_NE(std::ranges::find(cart.assumptions, "d - s > 0 for 'top'"), cart.assumptions.end());
   const Solution pendulum = solve_statement(read_statement(motions[1], "pendulum.yaml"), {}).solutions.at(0);
   EXPECT_NE(std::ranges::find(pendulum.assumptions, "4*g - L*w^2 > 0 for 'slow'"), pendulum.assumptions.end());
+}
+
+// A rod on two cords that is struck from below: each cord is jerked on one side of a border, and carries nothing on the
+// other, where two places of the blow are parted by nothing.
+TEST(FormulaRegimes, zero_is_a_branch_like_any_other) {
+  const Solution bar = solve_statement(read_statement(*std::rbegin(branches), "bar.yaml"), {}).solutions.at(0);
+  const auto told = [&](std::size_t i) {
+    std::string all;
+    for (const RegimeFormula& one : bar.asks.at(i).regimes) {
+      all += text(one.formula.number);
+      for (const std::string& where : one.where) all += " where " + where;
+      all += "; ";
+    }
+    return all;
+  };
+  EXPECT_EQ(told(0), "J*(3*d/(2*L) - 1) where 3*d - 2*L > 0; 0 where 2*L - 3*d > 0; ");
+  EXPECT_EQ(told(1), "0 where 3*d - L > 0; J*(L - 3*d)/(2*L) where L - 3*d > 0; ");
+  EXPECT_EQ(bar.asks.at(2).regimes.size(), 3U);
+  EXPECT_EQ(bar.asks.at(4).regimes.size(), 3U);
+}
+
+// Branches of letters that are not as is assumed are none, and nothing is said of them.
+TEST(FormulaRegimes, none_is_told_of_letters_that_are_excluded) {
+  std::string assumed = *std::rbegin(branches);
+  assumed.insert(assumed.find("ask:"), "assume: [L < 3*d]\n");
+  const Solution bar = solve_statement(read_statement(assumed, "bar.yaml"), {}).solutions.at(0);
+  EXPECT_TRUE(bar.asks.at(1).regimes.empty());
+  ASSERT_TRUE(bar.asks.at(1).formula);
+  EXPECT_TRUE(bar.asks.at(1).formula->number.is_zero());
+  for (const std::string& note : bar.notes) EXPECT_EQ(note.find("no formula"), std::string::npos) << note;
 }
 
 // What one choice of letters finds to be zero is told to be so for the letters for which it is.

@@ -92,9 +92,9 @@ TEST(ScalingLaw, AnAngleThatCouldNotBeTriedIsNamed) {
   ASSERT_TRUE(solved.ask("v").formula);
   EXPECT_NEAR(value_at(solved.ask("v").formula->number, {{"L", 4}, {"b", pi / 3}}), 2 * std::sqrt(9.80665), 1e-10);
   const std::vector<std::string>& assumed = solved.solved().solutions.at(0).assumptions;
-  EXPECT_NE(std::ranges::find(
-                assumed, "b is such that there is an answer: none was found at 1.75 rad, 2.3 rad, 2.9 rad, -2 rad"),
-            assumed.end());
+  for (const char* words : {"b is such that there is an answer: none was found at 1.75 rad, -2 rad",
+                            "b is none of these, which could not be tried: 2.3 rad, 2.9 rad"})
+    EXPECT_NE(std::ranges::find(assumed, words), assumed.end()) << words;
 }
 
 // Beyond some letters nothing swings, and what grows does so elsewhere only.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "problem/answers/solve_statement.h"
 #include "problem/course/motion_support.h"
 #include "problem/formulas/formula_answers.h"
 #include "problem/formulas/formula_conditions.h"
@@ -142,6 +143,39 @@ ask: {N: force(arm on car).y @ top}
   ASSERT_NE(condition, grounds.end());
   for (const double h : {1.0, 3.99, 4.01, 9.0})
     EXPECT_EQ(value_at(condition->positive, {{"m", 2}, {"R", 2}, {"h", h}}) > 0, h > 4) << h;
+}
+
+// A pendulum is let go at b below the level, so that its largest rate is w: 2 g (1 - cos(b)) = L w^2. What is found by
+// trials has no angle in its range beyond a right one.
+TEST(ToldConditions, the_stated_range_of_an_unknown_is_one_of_laws_too) {
+  const Solution solution = solve_statement(read_statement(R"(letters: {L: m, w: rad/s}
+find: {b: rad}
+where: [0 < b < 90 deg]
+points: {O: [0, 0, 0], P: [0, -L, 0]}
+bodies: {bob: {particle: P, mass: 1 kg}}
+joints: {pin: {revolute: z, at: O, to: bob, angle: q}}
+gravity: -y
+instants: {start: {q: b, q': 0, max(q'): w}}
+ask: {b: b}
+)",
+                                                           "test.yaml"),
+                                            {})
+                                .solutions.at(0);
+  ASSERT_TRUE(solution.asks[0].formula);
+  EXPECT_EQ(solution.asks[0].formula_road.substr(0, 23), "by dimensional analysis");
+  std::size_t wrong = 0, told = 0;
+  for (const std::string& condition : solution.assumptions)
+    for (const double w : {4.3, 4.6}) {
+      const auto holds = holds_as_told(condition,
+                                       {{"L", {1, dimensions::length, "m"}, {}, false},
+                                        {"w", {1, dimensions::angle / dimensions::time, "rad/s"}, {}, false}},
+                                       {{"L", 1}, {"w", w}});
+      if (!holds) continue;
+      ++told;
+      wrong += *holds != (w * w < 2 * 9.80665);
+    }
+  EXPECT_EQ(told, 2u);
+  EXPECT_EQ(wrong, 0u);
 }
 
 }  // namespace told_conditions_test

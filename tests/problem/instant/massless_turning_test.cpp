@@ -145,7 +145,7 @@ TEST(MasslessTurning, WhatMovesMassStillHasToBeStated) {
       "bodies: {bob: {sphere: {center: B, radius: 10 cm}, mass: 2 kg}}\njoints: {turn: {ball: O, to: bob}}\n";
   const SolvedText solved(pendulum + bodies);
   EXPECT_EQ(solved.reason("p"),
-            "the motion is not fixed at its start: angular velocity of bob at turn along x is unknown: state it under "
+            "the motion is not fixed at its start: angular velocity of bob at turn along z is unknown: state it under "
             "instants: {start: {...}}");
   EXPECT_NEAR(solved.vector("here").x, -0.9, 1e-12);
 }

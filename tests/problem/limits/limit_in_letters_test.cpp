@@ -163,5 +163,27 @@ TEST(LimitInLetters, says_why_it_has_none) {
   EXPECT_EQ(found.solutions.at(0).asks.at(0).no_formula, "beside unknowns it is found by numbers");
 }
 
+// The push holds the block between two values that are nearer to each other than those that are tried.
+TEST(LimitInLetters, by_numbers_is_looked_for_where_the_datum_is) {
+  Statement statement = read_statement(R"(plane: [x, y]
+given: {W: 500 N, b: 30 deg, mu: 0.02, P: 288 N}
+points: {O: [0, 0]}
+directions: {out: [-sin(b), cos(b)]}
+bodies: {block: {particle: O, weight: W}}
+contacts: {slope: {of: block, at: O, normal: out, friction: mu}}
+loads: {push: {force: [P, 0], body: block}}
+gravity: -y
+instants: {now: rest}
+ask: {least: {smallest: P, while: sticking(slope)}, most: {largest: P, while: sticking(slope)}}
+)",
+                                       "narrow.yaml");
+  restrict_to_plane(statement);
+  const Solution stated = solve_statement(statement, {}).solutions.at(0);
+  const double slope = std::tan(std::acos(-1.0) / 6);
+  ASSERT_EQ(stated.asks.at(1).state, AskState::found) << stated.asks[1].reason;
+  EXPECT_NEAR(stated.asks[0].value.number, 500 * (slope - 0.02) / (1 + 0.02 * slope), 1e-6);
+  EXPECT_NEAR(stated.asks[1].value.number, 500 * (slope + 0.02) / (1 - 0.02 * slope), 1e-6);
+}
+
 }  // namespace limit_in_letters_test
 }  // namespace poinsot::problem

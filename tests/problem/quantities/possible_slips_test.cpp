@@ -63,5 +63,30 @@ TEST(PossibleSlips, are_all_where_something_moves) {
   EXPECT_TRUE(PossibleSlips().allow({S, S, L, L}));
 }
 
+// With one foot at rest the others go round it, each along a line; with none at rest the table slides any way.
+TEST(PossibleSlips, along_one_line) {
+  for (const char* rate : {"0 m/s", "0.3 m/s"}) {
+    const PossibleSlips slips = possible(table(rate));
+    EXPECT_TRUE(slips.along_one_line(1, {S, L, L, L}));
+    EXPECT_TRUE(slips.along_one_line(3, {S, L, L, L}));
+    EXPECT_FALSE(slips.along_one_line(0, {L, L, L, L}));
+    EXPECT_FALSE(slips.along_one_line(2, {P, P, L, P}));
+  }
+}
+
+// What a planar joint holds slips along the line in which its plane meets the floor.
+TEST(PossibleSlips, along_one_line_in_a_planar_joint) {
+  const PossibleSlips slips = possible(
+      "points: {A: [0, 0, 0], B: [1 m, 0, 0], G: [0.5 m, 1 m, 0]}\n"
+      "bodies: {block: {mass: 5 kg, center: G, inertia: {axis: z, axial: 2 kg*m^2, transverse: 3 kg*m^2}}}\n"
+      "joints: {frame: {planar: z, at: A, to: block}}\n"
+      "contacts: {a: {of: block, corner: A, normal: y, friction: 0.3}, "
+      "b: {of: block, corner: B, normal: y, friction: 0.3}}\n"
+      "gravity: -y\ninstants: {now: {velocity(block): [0, 0, 0], angular_velocity(block): [0, 0, 0]}}\n"
+      "ask: {a: acceleration(block).x}\n");
+  EXPECT_TRUE(slips.along_one_line(0, {L, P}));
+  EXPECT_TRUE(slips.along_one_line(0, {L, L}));
+}
+
 }  // namespace possible_slips_test
 }  // namespace poinsot::problem

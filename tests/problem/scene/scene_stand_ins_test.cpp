@@ -57,6 +57,21 @@ TEST(SceneStandIns, an_ellipsoid_of_its_moments_stands_for_a_body_of_three_diffe
   EXPECT_FALSE(scene_of(document).bodies.at(1).shapes.at(0).stand_in);
 }
 
+// Of bodies about one middle the smallest is drawn, wherever it stands in the file.
+TEST(SceneStandIns, of_bodies_within_each_other_the_innermost_is_seen) {
+  const std::string table = "table: {mass: 1 kg, center: O, inertia: {axis: z, axial: 3 kg*m^2, transverse: 2 kg*m^2}}";
+  const std::string wheel =
+      "wheel: {mass: 1 kg, center: O, inertia: {axis: z, axial: 0.1 kg*m^2, transverse: 0.06 kg*m^2}}";
+  for (const bool wheel_first : {false, true}) {
+    const Document document = illustrated(
+        "title: t\npoints: {O: [0, 0, 0]}\nbodies: {" + (wheel_first ? wheel + ", " + table : table + ", " + wheel) +
+        "}\njoints: {pivot: {revolute: z, at: O, to: table}, axle: {revolute: z, at: O, from: table, to: wheel}}\n"
+        "gravity: none\ninstants: {now: rest}\nask: {T: kinetic_energy(system)}\n");
+    for (const scene::Body& body : scene_of(document).bodies)
+      EXPECT_EQ(body.shapes.size(), body.name == "wheel" ? 1U : 0U) << body.name;
+  }
+}
+
 TEST(SceneStandIns, what_stands_for_a_body_leaves_its_bearings_outside) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> draw(0.4, 3);

@@ -380,6 +380,52 @@ ask: {H: angular_momentum(bar about G)}
   EXPECT_EQ(scene.dimensions[0].text, "a");
 }
 
+std::map<std::string, double> letters_of(const Scene& scene) {
+  std::map<std::string, double> letters;
+  for (const scene::DrawnLetter& letter : scene.drawn_letters) letters[letter.name] = letter.value;
+  return letters;
+}
+
+// The file's own example has the proportions that its author thinks of; without one, no two lengths look alike.
+TEST(Scene, letters_have_the_values_of_the_example_or_lengths_that_are_told_apart) {
+  const std::string hoist = R"(
+plane: [x, y]
+letters: {W: N, r: m, R: m, h: m}
+points: {O: [0, 0], A: [-r, -h], B: [R, -h]}
+bodies: {bar: {rod: [A, B], mass: W/g}}
+joints: {pin: {revolute: z, at: O, to: bar}}
+gravity: -y
+instants: {now: rest}
+ask: {al: angular_acceleration(bar)}
+)";
+  std::map<std::string, double> letters = letters_of(only_scene(illustrated(hoist)));
+  EXPECT_GT(letters.at("R"), 1.3 * letters.at("r"));
+  EXPECT_GT(letters.at("r"), 1.3 * letters.at("h"));
+  letters = letters_of(only_scene(illustrated(
+      hoist + "expect: {letters: {W: 20 N, r: 0.15 m, R: 0.2 m, h: 2 m}, al: {value: 0, unit: rad/s^2}}\n")));
+  EXPECT_NEAR(letters.at("r"), 0.15, 1e-12);
+  EXPECT_NEAR(letters.at("R"), 0.2, 1e-12);
+  EXPECT_NEAR(letters.at("h"), 2, 1e-12);
+  // Where the example makes no sense it draws nothing.
+  letters = letters_of(only_scene(illustrated("assume: [h < r]\n" + hoist)));
+  EXPECT_GT(letters.at("r"), letters.at("h"));
+}
+
+// The radius at which a bearing rubs shows nowhere.
+TEST(Scene, a_length_that_nothing_is_drawn_with_is_told_to_show_in_nothing) {
+  const Document document = illustrated(R"(
+letters: {m: kg, r: m, s: m, L: m, mu: 1, n: rad/s}
+points: {O: [0, 0, 0], A: [L, 0, 0], B: [0, s, 0]}
+bodies: {plate: {triangle: [O, A, B], mass: m}}
+joints: {pivot: {revolute: z, at: O, to: plate, rate: n, friction: {coefficient: mu, thrust_radius: r}}}
+gravity: -z
+instants: {now: {}}
+ask: {al: angular_acceleration(plate).z}
+)");
+  for (const scene::DrawnLetter& letter : only_scene(document).drawn_letters)
+    EXPECT_EQ(letter.only_grows, letter.name == "r") << letter.name;
+}
+
 TEST(Scene, a_solved_document_has_none_unless_it_is_asked_for) {
   const Problem problem =
       Problem::from_file((fs::path(POINSOT_SOURCE_DIR) / "examples" / "textbook" / "18.003.yaml").string());

@@ -56,6 +56,34 @@ TEST(SceneWheels, a_body_given_by_numbers_is_as_large_as_the_wheel_that_its_belt
   }
 }
 
+// The hub of a reel whose rim alone is stated is a circle that the cord touches; a drum of the radius needs none.
+TEST(SceneWheels, what_a_cord_winds_on_is_a_circle_where_no_shape_shows_it) {
+  for (const bool shown : {false, true}) {
+    const Document document = illustrated(std::string(R"(
+title: t
+plane: [x, y]
+given: {m: 3 kg, k: 0.12 m, R: 0.2 m, r: )") +
+                                          (shown ? "0.2 m" : "0.1 m") + R"(}
+points: {C: [0, 0], G: [0, R]}
+bodies: {reel: {mass: m, center: G, radii_of_gyration: {z: k}, added: {rim: {disk: {center: G, normal: z, radius: R}, mass: 0 kg}}}}
+contacts: {floor: {of: reel, at: C, normal: y, no_slip: true}}
+cords: {cord: {from: ground, at: [3 m, R - r], to: {reel: {at: G, radius: r, side: -y}}}}
+gravity: -y
+instants: {now: rest}
+ask: {T: tension(cord)}
+)");
+    const scene::Scene& scene = scene_of(document);
+    std::size_t circles = 0;
+    for (const scene::Curve& curve : scene.curves) {
+      if (curve.kind != scene::CurveKind::pitch_circle) continue;
+      ++circles;
+      for (const Vector& point : curve.points)
+        EXPECT_NEAR(norm(Vector(on_ground(scene, {curve.body, point}) - Vector{0, 0.2, 0})), 0.1, 1e-12);
+    }
+    EXPECT_EQ(circles, shown ? 0U : 1U);
+  }
+}
+
 TEST(SceneWheels, sides_of_a_belt_have_the_names_of_the_tensions_that_are_asked_for) {
   const Document document = illustrated(belt_drive(0.2, 0.1, 0.6));
   std::vector<std::string> symbols;

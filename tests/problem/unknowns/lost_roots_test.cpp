@@ -90,6 +90,32 @@ ask: {a: mA, b: mB, c: mC}
   }
 }
 
+// Two of the weights are at one place: what balances the wheel is their sum, and each of them may be any part of it.
+TEST(Choices, ATieOfTheLeastTotalLeavesOpenHowItIsShared) {
+  const SolvedStatement solution = solved(R"(given: {m: 12 kg, e: 0.4 mm, R: 200 mm}
+find: {mA: g, mB: g, mC: g}
+points: {O: [0, 0, 0], A: [0, -R, 0], B: [0, -R, 0], C: [0, 0, R]}
+bodies:
+  wheel: {mass: m, center: [0, e, 0], added: {A: {particle: A, mass: mA}, B: {particle: B, mass: mB}, C: {particle: C, mass: mC}}}
+joints: {axle: {revolute: x, at: O, to: wheel}}
+choose: {fixed: {of: [A, B, C], least: total}}
+instants: {now: {'center(wheel)': [any, 0, 0]}}
+ask: {which: fixed, a: mA, c: mC, sum: mA + mB}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1u);
+  const std::vector<SolvedAsk>& asks = solution.solutions[0].asks;
+  for (const std::size_t open : {0u, 1u}) {
+    EXPECT_EQ(asks[open].state, AskState::undetermined);
+    EXPECT_EQ(asks[open].reason, "the conditions leave 'mA', 'mB' open: one more fact is needed");
+  }
+  EXPECT_EQ(asks[2].value.number, 0);
+  EXPECT_EQ(asks[3].state, AskState::found);
+  EXPECT_NEAR(asks[3].value.number, 0.024, 1e-12);
+  EXPECT_EQ(warnings_of(solution),
+            "test.yaml:7:10: the least total under 'fixed' is 24 g, and mA and mB can make it up in more than one way: "
+            "their shares are open\n");
+}
+
 // A disk on a hinge of a free shaft, let go level with a spin n: its lowest pose by energy and momentum,
 //   J t'^2 + (J s^2 + I c^2) p^2 = ..., (J s^2 + I c^2) p = J n   with s = sin(t), c = cos(t).
 // Nothing but n > 0 is said of where to look.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "problem/answers/solve_statement.h"
 #include "problem/language/failure.h"
@@ -128,6 +129,34 @@ ask: {t: t}
   const SolvedStatement either = solved(of_either_sign);
   ASSERT_EQ(either.solutions.size(), 1U);
   EXPECT_NEAR(either.solutions[0].asks[0].value.number, -4, 1e-12);
+}
+
+// A weight that is to be found is no less than zero, as a mass is; no sign turned round makes it negative.
+TEST(Where, weights_and_densities_are_not_negative) {
+  const auto hung = [](const std::string& unit, const std::string& amount, const std::string& pull) {
+    return solved("find: {w: " + unit + R"(}
+points: {O: [0, 0, 0], P: [1 m, 0, 0]}
+bodies: {b: {rod: [O, P], )" +
+                  amount + R"(}}
+joints: {j: {weld: O, to: b}}
+gravity: -y
+facts: {reaction(j).y: )" +
+                  pull + R"(}
+ask: {w: w}
+)");
+  };
+  const SolvedStatement right = hung("N", "weight: w", "20 N");
+  ASSERT_EQ(right.solutions.size(), 1U);
+  EXPECT_NEAR(right.solutions[0].asks[0].value.number, 20, 1e-12);
+  for (const auto& [unit, amount] : {std::pair{"N", "weight: w"}, {"kg", "mass: w"}, {"kg/m", "density: w"}}) {
+    const SolvedStatement none = hung(unit, amount, "-20 N");
+    EXPECT_TRUE(none.solutions.empty()) << amount;
+    ASSERT_FALSE(none.warnings.empty()) << amount;
+    EXPECT_NE(none.warnings[0].find("but w is taken as not negative (no body has a negative mass: what is cut out of "
+                                    "one stands under added: with hole: true)"),
+              std::string::npos)
+        << none.warnings[0];
+  }
 }
 
 // One ask that the statement does not answer leaves the others.

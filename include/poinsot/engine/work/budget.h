@@ -53,6 +53,7 @@ class Budget {
 
  private:
   friend class BudgetScope;
+  friend class BudgetGrace;
 
   std::optional<Clock::time_point> deadline_;
   Flag flag_ = nullptr;
@@ -72,6 +73,7 @@ class BudgetScope {
 
  private:
   friend class BudgetRespite;
+  friend class BudgetGrace;
   friend std::optional<BudgetEnd> how_budget_ended();
   friend class ProgressTeller;
 
@@ -101,17 +103,22 @@ class BudgetRespite {
   BudgetRespite& operator=(const BudgetRespite&) = delete;
 
  private:
+  friend class BudgetGrace;
+
   BudgetScope* const set_aside_;
 };
 
-// While it lives, this thread has a few hundredths of a second more, whatever has ended: to finish what was found.
+// While it lives, this thread has a few hundredths of a second more, whatever has ended: to finish what was found. They
+// are told by counted work and by the clock of what has ended, so that work which counts too little makes nobody wait.
 class BudgetGrace {
  public:
   BudgetGrace();
 
  private:
+  Budget by_clock_of_what_ended() const;
+
   BudgetRespite respite_;
-  BudgetScope scope_;
+  BudgetScope clock_, work_;
 };
 
 // Takes some nanoseconds, so that it may be called every microsecond. It should be called every three milliseconds at

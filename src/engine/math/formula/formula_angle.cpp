@@ -88,8 +88,9 @@ Pair of_term(const Formula& unit, const Ratio& multiple) {
   if (generators.size() == 1 && unit == generator_formula(generators[0])) {
     const Generator& g = *generators[0];
     if (g.kind == Kind::pi) return of_pi(multiple);
-    if (g.kind == Kind::inverse && multiple.denominator == 1) return repeated(of_inverse(g), multiple.numerator);
-    if (g.kind == Kind::inverse && multiple.denominator == 2) {
+    const bool is_angle = g.kind == Kind::inverse && g.name != "ln";
+    if (is_angle && multiple.denominator == 1) return repeated(of_inverse(g), multiple.numerator);
+    if (is_angle && multiple.denominator == 2) {
       const Pair whole = of_inverse(g);
       const Formula cosine = sqrt((1 + whole.cosine) / 2);
       return repeated({whole.sine / (2 * cosine), cosine}, multiple.numerator);

@@ -26,6 +26,7 @@ Formula derivative_of(const GeneratorPointer& generator, const std::string& lett
       return {};
   }
   Formula slope = derivative(u, letter);
+  if (g.name == "ln") return slope / u;
   if (g.name == "atan") return slope / (1 + u * u);
   if (g.name == "atan2") {
     return (g.second * slope - u * derivative(g.second, letter)) / (g.second * g.second + u * u);

@@ -61,6 +61,8 @@ Ball ball_of(const Generator& g, const BallOfLetter& letters, slong precision) {
     arb_asin(x.get(), x.get(), precision);
   } else if (g.name == "acos") {
     arb_acos(x.get(), x.get(), precision);
+  } else if (g.name == "ln") {
+    arb_log(x.get(), x.get(), precision);
   } else if (g.name == "atan") {
     arb_atan(x.get(), x.get(), precision);
   } else {

@@ -14,6 +14,9 @@ void collect_domain(const Formula& x, std::vector<Formula>& found) {
   for (const GeneratorPointer& g : *x.fraction()->generators) {
     collect_domain(g->argument, found);
     collect_domain(g->second, found);
+    if (g->kind == Kind::inverse && g->name == "ln" && seen_sign(g->argument).sign <= 0 &&
+        std::ranges::find(found, g->argument) == found.end())
+      found.push_back(g->argument);
     if (g->kind != Kind::inverse || (g->name != "asin" && g->name != "acos")) continue;
     for (const Formula& rest : {1 - g->argument, 1 + g->argument})
       if (seen_sign(rest).sign <= 0 && std::ranges::find(found, rest) == found.end()) found.push_back(rest);
@@ -37,7 +40,7 @@ std::optional<OfInverse> of_inverse(const Formula& x) {
   OfInverse found;
   for (const GeneratorPointer& g : *x.fraction()->generators) {
     if (g->kind == Kind::inverse && !g->constant) {
-      if (found.inverse || g->name == "atan2") return std::nullopt;
+      if (found.inverse || g->name == "atan2" || g->name == "ln") return std::nullopt;
       found.inverse = g;
     }
   }

@@ -1,6 +1,9 @@
 #include "poinsot/engine/math/formula/formula_exponential.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
+#include <utility>
 
 #include "engine/math/formula/formula_fraction.h"
 
@@ -14,6 +17,11 @@ constexpr std::int64_t most_of_a_power = 24;
 
 Formula power_of_e(const MultipleOfUnit& term) {
   const auto [unit, multiple] = term;
+  // A number has no generators.
+  const auto& generators = *unit.fraction()->generators;
+  if (multiple.denominator == 1 && generators.size() == 1 && generators.front()->kind == Kind::inverse &&
+      generators.front()->name == "ln" && unit == generator_formula(generators.front()))
+    return pow(generators.front()->argument, static_cast<int>(multiple.numerator));
   const std::int64_t n = std::abs(multiple.numerator);
   const bool high = n > most_of_a_power;
   const Formula base = generator_formula(exponential_generator(unit, {high ? n : 1, multiple.denominator}));
@@ -45,6 +53,14 @@ Formula exp(const Formula& x) {
   return assuming_alike(product, x);
 }
 
+Formula ln(const Formula& x) {
+  using namespace symbolic;
+  if (sign_of(x) < 0 || x.is_zero()) throw std::domain_error("the logarithm of what is not positive");
+  if (x == Formula(1)) return {};
+  if (const std::optional<Formula> exponent = exponent_of(x)) return *exponent;
+  return assuming_alike(generator_formula(inverse_generator("ln", x, {})), x);
+}
+
 std::optional<Formula> exponent_of(const Formula& x) {
   using namespace symbolic;
   if (!x.fraction()) return std::nullopt;
@@ -53,6 +69,23 @@ std::optional<Formula> exponent_of(const Formula& x) {
   const std::optional<Formula> below = exponent_in(*f.generators, f.denominator);
   if (!above || !below) return std::nullopt;
   return *above - *below;
+}
+
+std::vector<Formula> exponents_of(const Formula& x) {
+  using namespace symbolic;
+  std::vector<Formula> all;
+  if (!x.fraction()) return all;
+  const Fraction& f = *x.fraction();
+  for (std::size_t v = 0; v < f.generators->size(); ++v) {
+    const Generator& g = *(*f.generators)[v];
+    // The largest power that occurs has the largest exponent.
+    if (g.kind == Kind::exponential)
+      all.push_back(Formula(std::max(f.numerator.degree(v), f.denominator.degree(v))) * ratio_formula(g.multiple) *
+                    g.argument);
+    for (const Formula& part : {g.argument, g.second})
+      for (Formula& one : exponents_of(part)) all.push_back(std::move(one));
+  }
+  return all;
 }
 
 }  // namespace poinsot

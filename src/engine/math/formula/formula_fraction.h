@@ -23,7 +23,7 @@ enum class Kind {
   pi,
   tangent,           // tan(multiple * argument / 2), the argument a product of letters
   constant_tangent,  // tan(multiple * argument / 2), the argument pi or 1 rad
-  inverse,           // asin, acos or atan of an argument, atan2 of two
+  inverse,           // asin, acos, atan or ln of an argument, atan2 of two
   exponential,       // e^(multiple * argument), the argument a product of letters or a number
   sign,              // 1 or -1, as the argument is positive or negative
   root               // the square root, not negative, of the argument, a polynomial

@@ -35,7 +35,15 @@ Rounded exponential(const Rounded& x) {
   return of_library(value, steeper * x.error * value);
 }
 
+Rounded logarithm(const Rounded& x) {
+  const long double least = x.value - x.error;
+  // Beside 1 the logarithm is small and its last places are those of the difference.
+  if (!(least > 0) || !(std::fabs(x.value - 1) > 1e-3L)) return unbounded();
+  return of_library(std::log(x.value), x.error / least);
+}
+
 Rounded inverse(const Generator& g, const Rounded& x, const Rounded& second) {
+  if (g.name == "ln") return logarithm(x);
   if (g.name == "atan") return of_library(std::atan(x.value), x.error);
   if (g.name == "asin" || g.name == "acos") {
     // The rate is that at the farther end of what the argument may be.
@@ -95,27 +103,43 @@ std::uint32_t ReadyFormula::node(const GeneratorPointer& generator) {
   return known_[generator.get()] = static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-Rounded ReadyFormula::value(const Sum& sum, const std::vector<Rounded>& nodes) {
+// The parts by which factors are off add up; where they are small their products are far within what is added for them.
+Rounded ReadyFormula::product(const Term& term, const Factor* factors, const std::vector<Value>& nodes) {
+  constexpr long double most_parts = 1e-5L, products_of_parts = 1.0001L;
+  long double value = term.coefficient, parts = 0;
+  for (std::uint32_t k = 0; k < term.factors; ++k) {
+    const Value& node = nodes[factors[k].node];
+    for (std::uint32_t p = 0; p < factors[k].power; ++p) {
+      value *= node.number.value;
+      parts += node.part;
+    }
+  }
+  if (parts <= most_parts) return {value, std::fabs(value) * parts * products_of_parts};
+  Rounded product(term.coefficient);
+  for (std::uint32_t k = 0; k < term.factors; ++k)
+    for (std::uint32_t p = 0; p < factors[k].power; ++p) product *= nodes[factors[k].node].number;
+  return product;
+}
+
+Rounded ReadyFormula::value(const Sum& sum, const std::vector<Value>& nodes) {
   count_digits_of(sum.terms.size(), sum.variables, digits_of_nearest);
   Rounded total;
-  const Factor* factor = sum.factors.data();
-  for (const Term& one : sum.terms) {
-    Rounded term(one.coefficient, 0.0L);
-    for (std::uint32_t k = 0; k < one.factors; ++k, ++factor)
-      for (std::uint32_t p = 0; p < factor->power; ++p) term *= nodes[factor->node];
-    total += term;
+  const Factor* factors = sum.factors.data();
+  for (const Term& term : sum.terms) {
+    total += product(term, factors, nodes);
+    factors += term.factors;
   }
   return total;
 }
 
-Rounded ReadyFormula::value(const Quotient& quotient, const std::vector<Rounded>& nodes) {
+Rounded ReadyFormula::value(const Quotient& quotient, const std::vector<Value>& nodes) {
   const Rounded above = value(quotient.above, nodes);
   const bool whole = quotient.below.terms.size() == 1 && quotient.below.terms.front().factors == 0 &&
                      quotient.below.terms.front().coefficient == 1;
   return whole ? above : above / value(quotient.below, nodes);
 }
 
-Rounded ReadyFormula::value(const Node& node, const std::vector<Rounded>& nodes, const LetterValues& values) {
+Rounded ReadyFormula::value(const Node& node, const std::vector<Value>& nodes, const LetterValues& values) {
   const Generator& g = *node.generator;
   if (g.kind == Kind::letter) {
     const auto found = values.find(g.name);
@@ -141,11 +165,13 @@ Rounded ReadyFormula::value(const Node& node, const std::vector<Rounded>& nodes,
 
 Rounded ReadyFormula::at(const LetterValues& values) const {
   if (!fits_) return unbounded();
-  thread_local std::vector<Rounded> found;
+  thread_local std::vector<Value> found;
   found.clear();
   for (const Node& one : nodes_) {
-    found.push_back(value(one, found, values));
-    if (!std::isfinite(found.back().error)) return unbounded();
+    const Rounded number = value(one, found, values);
+    if (!std::isfinite(number.error)) return unbounded();
+    const long double off = number.error == 0 ? 0 : number.error / number.size();
+    found.push_back({number, off + Rounded::own(1)});
   }
   return value(whole_, found);
 }

@@ -45,9 +45,15 @@ class ReadyFormula {
   Quotient quotient(const Formula& x);
   Sum sum(const Polynomial& polynomial, const std::vector<std::uint32_t>& nodes);
   std::uint32_t node(const GeneratorPointer& generator);
-  static Rounded value(const Sum& sum, const std::vector<Rounded>& nodes);
-  static Rounded value(const Quotient& quotient, const std::vector<Rounded>& nodes);
-  static Rounded value(const Node& node, const std::vector<Rounded>& nodes, const LetterValues& values);
+  // The number of a node, and the part of it by which it and its product with another are off.
+  struct Value {
+    Rounded number;
+    long double part = 0;
+  };
+  static Rounded product(const Term& term, const Factor* factors, const std::vector<Value>& nodes);
+  static Rounded value(const Sum& sum, const std::vector<Value>& nodes);
+  static Rounded value(const Quotient& quotient, const std::vector<Value>& nodes);
+  static Rounded value(const Node& node, const std::vector<Value>& nodes, const LetterValues& values);
 
   Formula of_;  // keeps the generators
   std::map<const Generator*, std::uint32_t> known_;

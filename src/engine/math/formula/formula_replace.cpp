@@ -31,6 +31,7 @@ Formula with_arguments(const Generator& g, const Formula& argument, const Formul
   if (g.kind == Kind::root) return sqrt(argument);
   if (g.kind == Kind::sign) return argument.is_zero() ? Formula() : abs(argument) / argument;
   if (g.kind == Kind::exponential) return exp(ratio_formula(g.multiple) * argument);
+  if (g.name == "ln") return ln(argument);
   if (g.name == "atan2") return atan2(argument, second);
   return g.name == "asin" ? asin(argument) : g.name == "acos" ? acos(argument) : atan(argument);
 }

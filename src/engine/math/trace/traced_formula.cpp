@@ -55,7 +55,7 @@ Traced of_form(const Form& form, const Letter& letter) {
   if (form.text == "acos") return acos(part(0));
   if (form.text == "atan") return atan(part(0));
   if (form.text == "atan2") return atan2(part(0), part(1));
-  throw std::logic_error("a formula calls " + form.text + ", which cannot be traced");
+  throw std::domain_error("a formula calls " + form.text + ", which cannot be traced");
 }
 
 }  // namespace

@@ -72,6 +72,18 @@ VectorXd stepped(const RootFunction& function, const VectorXd& u, const VectorXd
   return next;
 }
 
+// How many steps the ranges leave room for from a place.
+double room_along(const RootFunction& function, const VectorXd& u, const VectorXd& step) {
+  double room = std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < u.size(); ++k) {
+    const RootRange& range = function.problem().ranges[static_cast<std::size_t>(k)];
+    if (step[k] == 0) continue;
+    const double end = (step[k] > 0 ? range.upper : range.lower) / range.scale;
+    room = std::min(room, std::max(0.0, (end - u[k]) / step[k]));
+  }
+  return room;
+}
+
 }  // namespace
 
 std::optional<PolishedRoot> polish(RootFunction& function, const VectorXd& start, double enough) {
@@ -162,13 +174,18 @@ std::optional<RootFamily> family_through(RootFunction& function, const PolishedR
   for (Index k = 0; k < direction.size(); ++k)
     if (k >= sigma.size() || sigma[k] <= small) direction += svd.matrixV().col(k);
   if (direction.isZero()) return std::nullopt;
-  constexpr double walk = 0.05;
-  for (const double way : {walk, -walk}) {
-    VectorXd ahead = root.u;
-    ahead += way * stretch.cwiseProduct(direction);
+  const VectorXd unit_step = stretch.cwiseProduct(direction);
+  for (const double way : {1.0, -1.0}) {
+    constexpr double longest = 0.05, shortest = 1e-6;
+    const double walk = std::min(longest, 0.5 * room_along(function, root.u, way * unit_step));
+    if (walk < shortest) continue;
+    const VectorXd ahead = root.u + way * walk * unit_step;
     if (!function.inside(ahead)) continue;
     const auto other = polish(function, ahead);
     if (!other || !other->zero || !function.inside(other->u)) continue;
+    // Beside a multiple root the equations hold nearly, too: on a short walk only rounding may be left of them.
+    constexpr double rounding = 1e-13;
+    if (walk < longest && other->part > rounding) continue;
     // A walk that leads back to the root, or would, shows that the root stands alone.
     const VectorXd moved = (other->u - root.u).cwiseQuotient(stretch);
     if (moved.norm() < 0.5 * walk) continue;

@@ -54,6 +54,22 @@ TEST(FormulaExponential, VariesAsItsDifferencesDo) {
   }
 }
 
+TEST(FormulaExponential, LogarithmsUndoPowersOfE) {
+  EXPECT_EQ(ln(exp(2 * a - c)), 2 * a - c);
+  EXPECT_EQ(exp(3 * ln(1 + a)), pow(1 + a, 3));
+  EXPECT_EQ(ln(Formula(1)), Formula());
+  EXPECT_TRUE((ln(a * b) - ln(a) - ln(b)).is_zero());
+  EXPECT_FALSE((ln(a + b) - ln(a)).is_zero());
+  EXPECT_THROW(static_cast<void>(ln(-a)), std::domain_error);
+  EXPECT_EQ(derivative(ln(1 + a * b), "a"), b / (1 + a * b));
+  EXPECT_EQ(substituted(ln(1 + a), {{"a", exp(b) - 1}}), b);
+  EXPECT_EQ(text(ln(1 + a) / 2), "ln(a + 1)/2");
+  for (const double x : {1e-9, 0.5, 1e9}) {
+    EXPECT_NEAR(value_at(ln(1 + a), {{"a", x}}) / std::log1p(x), 1, 1e-14);
+    EXPECT_NEAR(static_cast<double>(long_value_at(ln(1 + a), {{"a", x}}) / std::log1p(x)), 1, 1e-14);
+  }
+}
+
 TEST(FormulaExponential, TakesOtherValuesForItsLetters) {
   EXPECT_EQ(substituted(exp(a * b), {{"a", c / b}}), exp(c));
   EXPECT_EQ(substituted(exp(a * b), {{"a", Formula()}}), Formula(1));

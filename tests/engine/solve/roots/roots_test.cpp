@@ -142,6 +142,29 @@ TEST(Roots, AnUnknownThatChangesNothingIsOpen) {
   EXPECT_NE(roots.alternative[1], roots.points[0][1]);
 }
 
+// A line of solutions may be far shorter between the ends of the ranges than the natural sizes. A double root there is
+// no line.
+TEST(Roots, AShortLineOfSolutionsIsOpen) {
+  for (const double length : {1.0, 2e-3, 1e-5}) {
+    RootProblem problem;
+    problem.ranges = {{0, infinity, 1}, {0, infinity, 1}};
+    problem.equations = [&](const std::vector<double>& x) {
+      const double sum = x[0] + x[1];
+      return RootEquations{{(sum - length) / (1 + sum), 0.0}, 1};
+    };
+    const Roots roots = find_roots(problem);
+    EXPECT_TRUE(roots.open) << length;
+    EXPECT_EQ(roots.open_unknowns, (std::vector<std::size_t>{0, 1})) << length;
+    ASSERT_EQ(roots.alternative.size(), 2u) << length;
+    EXPECT_NEAR(roots.alternative[0] + roots.alternative[1], length, 1e-12);
+    problem.equations = [&](const std::vector<double>& x) {
+      const double sum = x[0] + x[1] - length, difference = x[0] - length / 3;
+      return RootEquations{{sum / (1 + x[0]), difference * difference}, 1};
+    };
+    EXPECT_FALSE(find_roots(problem).open) << length;
+  }
+}
+
 TEST(Roots, EquationsWithoutValueSomewhereStillGiveTheirRoots) {
   RootProblem problem;
   problem.ranges = {{-2, 9, 1}};

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "poinsot/engine/math/formula/formula.h"
 
@@ -14,7 +15,12 @@ namespace poinsot {
 
 // e^x
 Formula exp(const Formula& x);
+// The natural logarithm, whose sums and differences are not drawn together: ln(x) + ln(y) is compared with ln(x*y) by
+// digits. What is seen to be not positive throws std::domain_error.
+Formula ln(const Formula& x);
 // y with x = e^y, if x is written as a power of e; nothing of other formulas.
 std::optional<Formula> exponent_of(const Formula& x);
+// The exponents of the powers of e in a formula, those within its roots and other functions among them.
+std::vector<Formula> exponents_of(const Formula& x);
 
 }  // namespace poinsot
