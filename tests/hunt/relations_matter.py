@@ -121,6 +121,9 @@ class Doubled(Relation):
         # What is stated of forces that are shared now fixes less.
         if any(has_word(tree.get(key, {}), *FORCES) for key in ("instants", "facts", "define", "where", "claim", "situations")):
             raise NotApplicable
+        # The loop that two joints close need not have the formulas by which derivatives by letters are told.
+        if has_word(tree.get("claim", {}), "derivative"):
+            raise NotApplicable
         name = random.choice(sorted(able))
         joint = joints[name]
         twin = {key: joint[key] for key in (*kinds, "at", "from", "to") if key in joint}
