@@ -17,12 +17,11 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t regime_points = 250;  // points at which the conditions of all formulas are looked at
-constexpr std::size_t most_formulas = 6;    // of one answer
-constexpr std::size_t most_places = 8;      // to find one more, each from another point
-constexpr double same_branch = 1e-6;        // relative difference of numbers on one branch
-constexpr double rounding_of_terms =
-    1e-11;  // of the natural size of an answer that is next to nothing beside its terms
+constexpr std::size_t regime_points = 250;   // points at which the conditions of all formulas are looked at
+constexpr std::size_t most_formulas = 6;     // of one answer
+constexpr std::size_t most_places = 8;       // to find one more, each from another point
+constexpr double same_branch = 1e-6;         // relative difference of numbers on one branch
+constexpr double rounding_of_terms = 1e-11;  // of the natural size; of what is next to nothing beside its terms
 constexpr Work least_regime_work = 20'000'000;
 constexpr Work times_first = 8;  // what the first formulas took, so many times, may go into all others
 
