@@ -17,13 +17,13 @@ constexpr std::int64_t most_of_a_power = 24;
 
 Formula power_of_e(const MultipleOfUnit& term) {
   const auto [unit, multiple] = term;
-  // A number has no generators.
-  const auto& generators = *unit.fraction()->generators;
-  if (multiple.denominator == 1 && generators.size() == 1 && generators.front()->kind == Kind::inverse &&
-      generators.front()->name == "ln" && unit == generator_formula(generators.front()))
-    return pow(generators.front()->argument, static_cast<int>(multiple.numerator));
   const std::int64_t n = std::abs(multiple.numerator);
   const bool high = n > most_of_a_power;
+  // A number has no generators.
+  const auto& generators = *unit.fraction()->generators;
+  if (!high && multiple.denominator == 1 && generators.size() == 1 && generators.front()->kind == Kind::inverse &&
+      generators.front()->name == "ln" && unit == generator_formula(generators.front()))
+    return pow(generators.front()->argument, static_cast<int>(multiple.numerator));
   const Formula base = generator_formula(exponential_generator(unit, {high ? n : 1, multiple.denominator}));
   const int power = high ? 1 : static_cast<int>(n);
   return pow(base, multiple.numerator < 0 ? -power : power);

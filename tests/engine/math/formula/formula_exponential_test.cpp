@@ -57,6 +57,10 @@ TEST(FormulaExponential, VariesAsItsDifferencesDo) {
 TEST(FormulaExponential, LogarithmsUndoPowersOfE) {
   EXPECT_EQ(ln(exp(2 * a - c)), 2 * a - c);
   EXPECT_EQ(exp(3 * ln(1 + a)), pow(1 + a, 3));
+  // A high power is not multiplied out.
+  const Formula high = exp(-100000000 * ln(1 + a));
+  EXPECT_LE(high.terms(), 2U);
+  EXPECT_NEAR(value_at(high, {{"a", 1e-8}}), std::exp(-1e8 * std::log1p(1e-8)), 1e-12);
   EXPECT_EQ(ln(Formula(1)), Formula());
   EXPECT_TRUE((ln(a * b) - ln(a) - ln(b)).is_zero());
   EXPECT_FALSE((ln(a + b) - ln(a)).is_zero());
