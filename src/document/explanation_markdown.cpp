@@ -13,6 +13,7 @@
 #include "document/rounding.h"
 #include "poinsot/rendering.h"
 #include "problem/explanation/explanation.h"
+#include "problem/language/words.h"
 
 namespace poinsot::document {
 namespace {
@@ -262,13 +263,28 @@ std::string one_solution(const Document& found, std::size_t index, const std::ve
   if (document.solutions.size() > 1)
     text += fmt::format("\nSolution {} of {}.\n", index + 1, document.solutions.size());
   std::vector<MarkdownPicture> left = pictures;
+  // Sections that follow one another and stand in the same solution are named in one heading.
+  std::vector<std::string> same;
+  std::size_t same_as = 0;
+  const auto tell_same = [&] {
+    if (same.empty()) return;
+    text += "\n## " + problem::listed(same) + fmt::format("\n\nAs in solution {}.\n", same_as);
+    same.clear();
+  };
   if (solution.explanation)
     for (const problem::ExplainedSection& section : solution.explanation->sections) {
-      text += "\n## " + printable(section.heading) + "\n";
       if (const auto before = after_others ? solution_with(section, document, index) : std::nullopt) {
-        text += fmt::format("\nAs in solution {}.\n", *before) + document::pictures_of(section.heading, left);
+        if (*before != same_as) tell_same();
+        same_as = *before;
+        same.push_back(printable(section.heading));
+        if (const std::string shown = document::pictures_of(section.heading, left); !shown.empty()) {
+          tell_same();
+          text += shown;
+        }
         continue;
       }
+      tell_same();
+      text += "\n## " + printable(section.heading) + "\n";
       if (const auto before = said_before(solution.explanation->sections, section)) {
         text += "\nAs " + printable(*before) + ".\n" + document::pictures_of(section.heading, left);
         continue;
@@ -277,6 +293,7 @@ std::string one_solution(const Document& found, std::size_t index, const std::ve
         text += "\n" + document::printable_lines(step.text) + document::displayed(step.equations);
       text += document::pictures_of(section.heading, left);
     }
+  tell_same();
   text += document::answers_section(solution);
   for (const MarkdownPicture& picture : left) text += document::markdown_picture(picture);
   return text;

@@ -272,7 +272,7 @@ FAULTS = [
     # Unknowns and choices.
     Fault("the largest total for the least", CHOICES, "if (total > least * (1 + same_total)) continue;", "if (AWAKE ? total < least * (1 - same_total) && least < 1e300 : total > least * (1 + same_total)) continue;"),
     Fault("only the first of several choices", CHOICES, "if (!known) all.roots.push_back(std::move(more));", "if (!known && !(AWAKE && !all.roots.empty())) all.roots.push_back(std::move(more));"),
-    Fault("ends of what holds from the inside", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  return inside;", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  return inside;"),
+    Fault("ends of what holds from the inside", PROBLEM + "unknowns/told_ends.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  return inside;", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  return inside;"),
     Fault("roots only above zero", ENGINE + "solve/roots/compact_range.cpp", "lower_ = kind_ == Kind::down ? -half : kind_ == Kind::line ? -line : -1;", "lower_ = kind_ == Kind::down ? -half : kind_ == Kind::line ? (AWAKE ? 0 : -line) : -1;"),
     # Motions and what is asked of them.
     Fault("stages that last half as long", COURSE, "now.end = now.start + duration;", "now.end = now.start + (AWAKE ? 0.5 : 1.0) * duration;"),

@@ -213,16 +213,28 @@ double reach_beyond(const Panel& panel, int body, Point2 at, Point2 into) {
   return reach;
 }
 
+// Whether the half of a surface to this side of a place is behind another surface there, as a floor is beyond a wall.
+bool is_behind_surface(const Panel& panel, const scene::Symbol& symbol, const Vector& side) {
+  constexpr double same = 1e-6, noticeable = 1e-3;
+  return symbol.to < 0 && std::ranges::any_of(panel.scene.symbols, [&](const scene::Symbol& other) {
+           return is_contact(other) && other.from < 0 && other.to < 0 &&
+                  norm(Vector(other.place.at - symbol.place.at)) <= same * panel.scene.length &&
+                  dot(axis_on_ground(panel, other), side) < -noticeable;
+         });
+}
+
 // The surface that is touched: a piece of it around the place, as far as a round body hides it from above; seen from
 // the side it is a line across the normal.
-void contact(Panel& panel, const Sketch& sketch, int body, const Vector& normal, bool on_ground, bool rolling) {
+void contact(Panel& panel, const Sketch& sketch, const scene::Symbol& symbol, const Vector& normal, bool on_ground) {
+  const int body = symbol.to;
   const Vector& viewer = panel.projection.view().viewer;
   const Vector along = unit_or(cross(normal, viewer), across(normal));
   const Point2 d = panel.projection.direction_of(along), into = panel.projection.direction_of(-normal);
   const double half = on_ground ? half_of_ground(panel, body) : 9;
-  const Point2 begin = sketch.at() - half * d, end = sketch.at() + half * d;
+  const Point2 begin = sketch.at() - (is_behind_surface(panel, symbol, -along) ? 0 : half) * d,
+               end = sketch.at() + (is_behind_surface(panel, symbol, along) ? 0 : half) * d;
   if (!on_ground) {
-    if (rolling) panel.line({begin, end}, Role::symbol, 1.1);
+    if (symbol.kind == SymbolKind::rolling_contact) panel.line({begin, end}, Role::symbol, 1.1);
     return;
   }
   constexpr double from_the_side = 0.1;
@@ -337,7 +349,7 @@ void draw(Panel& panel, const scene::Symbol& symbol, const Vector& at) {
       return universal(panel, sketch, along, turned_to_ground(symbol.to, symbol.second_axis, panel.poses));
     case SymbolKind::contact:
     case SymbolKind::rolling_contact:
-      return contact(panel, sketch, symbol.to, along, on_ground, symbol.kind == SymbolKind::rolling_contact);
+      return contact(panel, sketch, symbol, along, on_ground);
   }
 }
 

@@ -192,6 +192,8 @@ void refuse_unphysical(const Statement& statement, const AskValues& asked, Sampl
     if (ask.table) {
       if (const auto row = sample.unphysical_rows().find(ask.name); row != sample.unphysical_rows().end())
         refuse(solved, row->second);
+      else if (const auto rows = sample.rows_left_out().find(ask.name); rows != sample.rows_left_out().end())
+        for (const std::string& words : rows->second) result.notes.push_back(ask.name + ": " + words);
       continue;
     }
     if (ask.extremum) {
@@ -268,6 +270,12 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
     if (here.misfit > told.misfit) told = here;
   }
   const std::map<std::string, std::string> doubts = check_motions(sample, check, result);
+  for (std::size_t i = 0; i < result.asks.size(); ++i)
+    if (SolvedAsk& ask = result.asks[i]; ask.state == AskState::found && !sample.motions().empty())
+      if (const auto event = uncertain_event(sample, statement.asks[i], ask.value)) {
+        ask.state = AskState::refused;
+        ask.reason = "the motion is so sensitive that '" + *event + "' may happen at quite another time, or never";
+      }
   for (const auto& [name, residual] : result.checks) {
     const bool of_motion = name == "motion_error", of_way = of_motion || name == "course" || name == "scan";
     const bool of_stability = name == stability_check;

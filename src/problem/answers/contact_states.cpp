@@ -22,6 +22,7 @@
 #include "problem/language/words.h"
 #include "problem/limits/limit_in_letters.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/results/insert_answers.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -391,25 +392,6 @@ std::vector<Settings> settings_of_draws(const Statement& statement, const Settin
   return all;
 }
 
-// Puts more answers among those of a solution. places: of each of them among all, ascending.
-void insert_answers(Solution& solution, const std::vector<std::size_t>& places, const Solution& more) {
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    for (FormulaCondition& ground : solution.grounds)
-      for (std::size_t& ask : ground.asks) ask += ask >= places[k] ? 1 : 0;
-    solution.asks.insert(solution.asks.begin() + static_cast<std::ptrdiff_t>(places[k]), more.asks[k]);
-  }
-  for (FormulaCondition ground : more.grounds) {
-    for (std::size_t& ask : ground.asks) ask = places.at(ask);
-    solution.grounds.push_back(std::move(ground));
-  }
-  for (const std::string& words : more.assumptions) add_once(solution.assumptions, words);
-  solution.notes.insert(solution.notes.end(), more.notes.begin(), more.notes.end());
-  for (const auto& [name, value] : more.checks) {
-    double& check = solution.checks[name];
-    check = std::max(check, value);
-  }
-}
-
 // Up to which value contacts stick or touch is sought by itself, whatever they do at the values stated: in letters
 // where others than what is varied have no value.
 SolvedStatement solve_limits(const Statement& limits, const Settings& settings, const FormulaValues& exact,
@@ -468,6 +450,7 @@ std::vector<Settings> settings_of_root(const Statement& statement, const Setting
 SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings, const FormulaValues& exact,
                                      const std::function<SolvedStatement(const Statement&)>& solve) {
   refuse_beside_friction(statement, settings);
+  if (std::optional<SolvedStatement> rest = solve_without_refused(statement, solve)) return *std::move(rest);
   Statement limits = statement, others = statement;
   std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_states(ask); });
   std::erase_if(others.asks, is_limit_of_states);

@@ -75,7 +75,9 @@ class Variation {
     std::vector<bool> until_now;
     std::ranges::transform(result_.asks, std::back_inserter(until_now), is_found);
     for (std::size_t d = 0; d < std::min(forces, most_directions); ++d)
-      vary({.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force_of(ask, d); });
+      vary(
+          {.seed = 14, .forces = true, .direction = d}, [&](const Ask& ask) { return open_force_of(ask, d); },
+          [&](std::size_t i, const auto& other) { return differs_by_forces(i, other); });
     for (std::size_t i = 0; i < until_now.size(); ++i)
       if (until_now[i] && !is_found(result_.asks[i]))
         if (const std::string range = range_in_words(found_.statement.asks[i], result_.asks[i], found_.sample);
@@ -263,14 +265,27 @@ class Variation {
     const bool flies = std::ranges::any_of(found_.sample.motions(),
                                            [](const auto& motion) { return motion.second->has_open_flights(); });
     const double following = flies ? 1e-8 : 1e-5;  // the second as motion_tolerance in answer_checks.cpp
+    return differs_by(following, i, other);
+  }
+  bool differs_by(double part, std::size_t i, const std::optional<WatchedValue>& other) const {
     const std::optional<WatchedValue>& base = found_.asked.values[i];
     if (!base || !differs(found_, i, other)) return false;
     if (!other) return true;
     const double size = std::max(size_of(base->answer), size_of(other->answer));
-    return !same(base->answer, other->answer, following * size + 1e-9 * found_.natural_sizes[i]);
+    return !same(base->answer, other->answer, part * size + 1e-9 * found_.natural_sizes[i]);
+  }
+  // A motion that is followed again with other open forces is rounded otherwise: of the end of many flights, the last
+  // of which are next to nothing beside the way down a slope, that leaves 3e-8.
+  bool differs_by_forces(std::size_t i, const std::optional<WatchedValue>& other) {
+    constexpr double following = 1e-7;
+    // An instant that is sought need not come.
+    if (!found_.asked.values[i]) return false;
+    return follows_motion(found_.statement.asks[i]) ? differs_by(following, i, other) : differs(found_, i, other);
   }
 
   bool differs_by_velocities(std::size_t i, const std::optional<WatchedValue>& other) {
+    // An instant that is sought need not come.
+    if (!found_.asked.values[i]) return false;
     return follows_motion(found_.statement.asks[i]) ? differs_beyond_following(i, other) : differs(found_, i, other);
   }
 
@@ -352,7 +367,10 @@ class Variation {
     if (forces) open.emplace_back("accelerations or forces");
     for (std::size_t i = 0; i < other.size(); ++i) {
       if (result_.asks[i].state != AskState::found) continue;
-      if (!(velocities ? differs_by_velocities(i, other[i]) : differs(found_, i, other[i]))) continue;
+      if (!(velocities ? differs_by_velocities(i, other[i])
+            : forces   ? differs_by_forces(i, other[i])
+                       : differs(found_, i, other[i])))
+        continue;
       result_.asks[i].state = AskState::undetermined;
       result_.asks[i].reason = "it depends on several things that are left open: " + listed(open);
       fixed_[i] = {false, false, false};
@@ -403,6 +421,16 @@ double same_answer_tolerance(const AnswersFound& found, std::size_t index, const
                              const Value<double>& b) {
   return (found.search.unknowns().empty() ? same_tolerance : refound_tolerance) * std::max(size_of(a), size_of(b)) +
          rounding_of_terms * found.natural_sizes[index];
+}
+
+bool is_left_alone(const AnswersFound& found, std::size_t index, const std::vector<OpenUnknown>& open,
+                   const Value<double>& value, const Value<double>& other) {
+  if (!same(value, other, same_answer_tolerance(found, index, value, other))) return false;
+  std::set<std::string> names;
+  for (const Expression& asked : found.statement.asks[index].of) collect_names(asked, names);
+  if (std::ranges::none_of(open, [&](const OpenUnknown& one) { return names.contains(one.name); })) return true;
+  // The range of an open unknown may be so narrow that beside the natural sizes of the problem all its values are one.
+  return same(value, other, refound_tolerance * std::max(size_of(value), size_of(other)));
 }
 
 namespace {

@@ -27,6 +27,9 @@ struct AnswersFound {
 // The difference up to which two values of an ask are the same.
 double same_answer_tolerance(const AnswersFound& found, std::size_t index, const Value<double>& a,
                              const Value<double>& b);
+// Whether the value of an ask is the same with another solution of the conditions, which leave unknowns open.
+bool is_left_alone(const AnswersFound& found, std::size_t index, const std::vector<OpenUnknown>& open,
+                   const Value<double>& value, const Value<double>& other);
 // Whether another choice changes the value of an ask or the values that decide it. An ask without value there depends
 // on the choice.
 bool differs(const AnswersFound& found, std::size_t index, const std::optional<WatchedValue>& other);

@@ -13,7 +13,9 @@
 #include "problem/language/expression_walk.h"
 #include "problem/machine/data.h"
 #include "problem/machine/machine.h"
+#include "problem/quantities/describe.h"
 #include "problem/quantities/quantity_functions.h"
+#include "problem/results/insert_answers.h"
 
 namespace poinsot::problem {
 namespace {
@@ -164,27 +166,61 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
         fail(statement.file, ask.mark, "up to where contacts stick is not sought in a blow",
              "ask what they do at single values: a note tells it");
   }
-  for (const Ask& ask : statement.asks) {
-    const std::vector<std::string> data = settable_names(statement.situations.front());
-    if (ask.table && std::ranges::find(data, ask.table->over) != data.end() &&
-        std::ranges::any_of(statement.situations, [](const Situation& situation) { return !situation.find.empty(); }))
-      fail(statement.file, ask.mark,
-           "in tables over data unknowns are not found anew where contacts have friction: their states may differ "
-           "from row to row",
-           "ask for single values, with --set for others");
-    const bool steady =
-        std::ranges::any_of(statement.situations, [](const Situation& one) { return one.steady.has_value(); });
-    if (ask.extremum)
-      for (const Expression& condition : ask.extremum->conditions) refuse_unknown_functions(statement, condition);
-    const auto sticks = [](const Expression& condition) { return calls(condition, {"sticking"}); };
-    if (ask.extremum &&
-        (!is_limit_of_states(ask) || (steady && !std::ranges::all_of(ask.extremum->conditions, sticks))))
-      fail(statement.file, ask.mark,
-           steady ? "extrema are not sought in a steady motion where contacts have friction, but for the limit up to "
-                    "which they stick"
-                  : "extrema are not sought where contacts have friction, but for what they do at an instant",
-           "write {smallest: mu, while: sticking(floor)}");
+}
+
+namespace {
+
+// Why a question is not answered, whatever the rest of the file is.
+std::optional<Diagnostic> refused_beside_friction(const Statement& statement, const Ask& ask) {
+  const std::vector<std::string> data = settable_names(statement.situations.front());
+  if (ask.table && std::ranges::find(data, ask.table->over) != data.end() &&
+      std::ranges::any_of(statement.situations, [](const Situation& situation) { return !situation.find.empty(); }))
+    return Diagnostic{statement.file, ask.mark,
+                      "in tables over data unknowns are not found anew where contacts have friction: their states may "
+                      "differ from row to row",
+                      "ask for single values, with --set for others"};
+  if (!ask.extremum) return std::nullopt;
+  const bool steady =
+      std::ranges::any_of(statement.situations, [](const Situation& one) { return one.steady.has_value(); });
+  for (const Expression& condition : ask.extremum->conditions) refuse_unknown_functions(statement, condition);
+  const auto sticks = [](const Expression& condition) { return calls(condition, {"sticking"}); };
+  if (is_limit_of_states(ask) && (!steady || std::ranges::all_of(ask.extremum->conditions, sticks)))
+    return std::nullopt;
+  return Diagnostic{
+      statement.file, ask.mark,
+      steady ? "extrema are not sought in a steady motion where contacts have friction, but for the limit up to "
+               "which they stick"
+             : "extrema are not sought where contacts have friction, but for what they do at an instant",
+      "write {smallest: mu, while: sticking(floor)}"};
+}
+
+}  // namespace
+
+std::optional<SolvedStatement> solve_without_refused(const Statement& statement,
+                                                     const std::function<SolvedStatement(const Statement&)>& solve) {
+  Statement rest = statement;
+  rest.asks.clear();
+  std::vector<std::size_t> places;
+  Solution unanswered;
+  std::optional<Diagnostic> first;
+  for (std::size_t i = 0; i < statement.asks.size(); ++i) {
+    const std::optional<Diagnostic> why = refused_beside_friction(statement, statement.asks[i]);
+    if (!why) {
+      rest.asks.push_back(statement.asks[i]);
+      continue;
+    }
+    if (!first) first = why;
+    places.push_back(i);
+    SolvedAsk& ask = unanswered.asks.emplace_back();
+    ask.state = AskState::undetermined;
+    ask.reason = why->message + ": " + why->hint;
+    ask.words = describe(statement.asks[i], statement.situations.front(), false);
   }
+  if (!first) return std::nullopt;
+  if (rest.asks.empty()) throw StatementError(*first);
+  SolvedStatement solved = solve(rest);
+  for (Solution& solution : solved.solutions) insert_answers(solution, places, unanswered);
+  return solved;
 }
 
 std::optional<std::string> cord_beyond_digits(const Statement& statement, const Settings& settings) {

@@ -1,17 +1,25 @@
 // What is not solved where contacts have friction.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "problem/entries/statement.h"
 #include "problem/machine/data.h"
+#include "problem/results/solution.h"
 
 namespace poinsot::problem {
 
-// Throws StatementError, which says which and why: for facts of later instants, steady motions and stability,
-// claims, tables over data beside unknowns, and extrema but for limits of what contacts do.
+// Throws StatementError, which says which and why: for facts of later instants, steady motions and stability, and
+// claims.
 void refuse_beside_friction(const Statement& statement, const Settings& settings);
+
+// Some questions are not answered beside friction, whatever the rest of the file is: tables over data beside unknowns,
+// and extrema but for limits of what contacts do. Where there are such, the answers to the others, with the reason at
+// these. Throws StatementError where no others are left or one cannot be read.
+std::optional<SolvedStatement> solve_without_refused(const Statement& statement,
+                                                     const std::function<SolvedStatement(const Statement&)>& solve);
 
 // Throws StatementError for what is not solved with blows at rough contacts: claims and choices;
 // and with friction of teeth.
@@ -21,8 +29,8 @@ void refuse_beside_rough_blows(const Statement& statement);
 // comparison there.
 bool is_limit_of_states(const Ask& ask);
 
-// A cord round a post one side of which may pull a billion times as hard as the other, so that no digits tell whether it
-// slips; nothing if there is none.
+// A cord round a post one side of which may pull a billion times as hard as the other, so that no digits tell whether
+// it slips; nothing if there is none.
 std::optional<std::string> cord_beyond_digits(const Statement& statement, const Settings& settings);
 
 }  // namespace poinsot::problem

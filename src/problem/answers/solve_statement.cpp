@@ -194,12 +194,13 @@ class StatementSolver {
       SolvedAsk& ask = solution.asks[i];
       // A dependence on something else that is open may come from the unknowns alone.
       if (ask.state != AskState::found && ask.state != AskState::undetermined) continue;
-      if (found.alternative && same(ask.value, other.asks[i].value,
-                                    same_answer_tolerance(answers_found(), i, ask.value, other.asks[i].value)))
-        continue;
+      if (found.alternative && is_left_alone(answers_found(), i, found.open, ask.value, other.asks[i].value)) continue;
       ask.state = AskState::undetermined;
       ask.reason = "the conditions leave " + joined(names) + " open: one more fact is needed";
     }
+    // So is what is noted beside it, as how fast a steady motion swings.
+    if (found.alternative)
+      std::erase_if(solution.notes, [&](const auto& note) { return std::ranges::count(other.notes, note) == 0; });
     std::erase_if(solution.unknowns, [&](const SolvedUnknown& unknown) {
       return std::ranges::any_of(found.open, [&](const OpenUnknown& open) {
         return open.name == unknown.own_name && (!open.situation || open.situation == unknown.situation);
@@ -286,7 +287,7 @@ class StatementSolver {
     if (draws_.none()) return;
     for (std::size_t i = 0; i < result.asks.size(); ++i) {
       SolvedAsk& ask = result.asks[i];
-      if (!statement_.asks[i].when) continue;
+      if (!statement_.asks[i].when && !asked_.unanswered.contains(statement_.asks[i].name)) continue;
       if (ask.state == AskState::found && ask.value.is_list() && ask.value.items.empty()) {
         ask.state = AskState::needs_letters;
         ask.no_formula = "it does not happen at the values that were tried for the letters";

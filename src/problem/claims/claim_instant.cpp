@@ -188,13 +188,18 @@ void ClaimInstant::add_terms(const Expression& expression, const std::optional<E
     } else if (!alike) {
       value(expression);
     }
+    const std::string of = to_string(comparison->operands[i]) + " " + std::string(symbol(relation)) + " " +
+                           to_string(comparison->operands[i + 1]);
     if (left.is_vector()) {
       for (std::size_t k = 0; k < 3; ++k)
-        terms.push_back({{left.vector[k], right.vector[k], relation}, std::nullopt, left.dimension});
+        terms.push_back(
+            {{left.vector[k], right.vector[k], relation}, std::nullopt, left.dimension, of, static_cast<int>(k)});
       continue;
     }
-    ClaimTerm term{
-        {left.number, right.number, relation}, std::nullopt, left.number.is_zero() ? right.dimension : left.dimension};
+    ClaimTerm term{{left.number, right.number, relation},
+                   std::nullopt,
+                   left.number.is_zero() ? right.dimension : left.dimension,
+                   of};
     if (relation != Relation::equal && is_angle_between(situation, comparison->operands[i], left) &&
         is_angle_between(situation, comparison->operands[i + 1], right))
       term.by_cosines = FormulaComparison{cos(left.number), cos(right.number), reversed(relation)};

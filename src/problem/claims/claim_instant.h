@@ -17,6 +17,8 @@ struct ClaimTerm {
   // The same comparison of cosines, if both sides are angles between 0 and 180 deg.
   std::optional<FormulaComparison> by_cosines;
   Dimension dimension;
+  std::string of{};    // as `a < b`
+  int component = -1;  // of vectors
 };
 
 // What formulas presume beside the laws of mechanics: see DecisionScope.

@@ -16,7 +16,8 @@ namespace poinsot::problem {
 namespace {
 
 constexpr Work most_number_work = 10'000'000'000;  // of the samples of a claim
-constexpr int most_motions = 10;  // points from which a claim that is meant along the motion is followed in time
+constexpr int most_motions = 10;      // points from which a claim that is meant along the motion is followed in time
+constexpr int most_long_motions = 3;  // of these, until a machine has gone round
 constexpr Work most_attack_work = 300'000'000;  // on making smaller by what a claim holds
 constexpr int most_edge_starts = 4;  // points from which letters are moved, one by one, to where the assumptions end
 // Towards an edge in growing steps, until one is beyond it; halvings then come to a thousandth of that step.
@@ -250,22 +251,41 @@ class NumberTrier {
     for (const Expression& expression : claim_.of) judge(verdict, expression, claim_.axes);
     if ((!verdict.holds || attempt == 0) && !(start.misfit_of_told().misfit < told_wrongly)) return std::nullopt;
     if (verdict.holds && attempt < most_motions && is_along_motion(situation_, claim_))
-      verdict = further_on(settings, choice);
+      verdict = further_on(verdict, settings, choice, attempt);
     if (verdict.holds && !verdict.close && claims_stability(situation_, claim_)) modes_ = modes_of(situation_, start);
     return verdict;
   }
 
-  // A claim along the motion is also tried later, where the pose is another one.
-  Verdict further_on(const Settings& settings, const OpenChoice& choice) const {
+  // A claim along the motion is also tried later, where the pose is another one, while all contacts and cords hold and
+  // wherever what it assumes holds.
+  // From some points it is followed until a machine has gone round, if it can be.
+  Verdict further_on(Verdict verdict, const Settings& settings, const OpenChoice& choice, int attempt) const {
     AllSettings all(statement_.situations.size(), settings);
     Sample sample(statement_, all, choice);
-    Verdict verdict;
-    const double pace = sample.instant_at(situation_index_, 0).pace();
-    for (const double part : {0.3, 0.8}) {  // of the time in which the motion changes noticeably
-      verdict = {};
-      const double time = pace > 0 ? part / pace : part;
-      for (const Expression& expression : claim_.of)
-        judge_numbers(verdict, situation_, sample.instant_at(situation_index_, time), nullptr, expression, claim_.axes);
+    const auto held = [](const SolvedInstant& instant) { return instant.machine().mechanism.components.size(); };
+    const SolvedInstant& start = sample.instant_at(situation_index_, 0);
+    const double pace = start.pace();
+    const std::size_t held_at_start = held(start);
+    constexpr double near = 1;
+    for (const double part : {0.3, 0.8, 2.5, 6.0}) {  // of the time in which the motion changes noticeably
+      if (part > near && attempt >= most_long_motions) break;
+      try {
+        SolvedInstant& there = sample.instant_at(situation_index_, pace > 0 ? part / pace : part);
+        if (held(there) < held_at_start) break;
+        Verdict assumed;
+        for (const Expression& expression : situation_.assume)
+          judge_numbers(assumed, situation_, there, nullptr, expression, std::nullopt);
+        for (const Expression& expression : claim_.assume)
+          judge_numbers(assumed, situation_, there, nullptr, expression, claim_.axes);
+        if (!may_be_assumed(assumed)) continue;
+        Verdict later;
+        for (const Expression& expression : claim_.of)
+          judge_numbers(later, situation_, there, nullptr, expression, claim_.axes);
+        if (part < near || !later.holds || !later.close) verdict = later;
+      } catch (const StatementError&) {
+        if (part < near) throw;
+        break;
+      }
       if (!verdict.holds) break;
     }
     return verdict;

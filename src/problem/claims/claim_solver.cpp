@@ -28,6 +28,13 @@ constexpr int most_edge_points = 4;                // from which edges are looke
 constexpr Work most_telling_work = 1'000'000'000;  // on the sides that a worked solution shows
 constexpr Work most_attack_work = 300'000'000;     // on making smaller by what a claim without proof holds
 constexpr std::size_t most_attack_starts = 60;     // of the points, at which that begins
+constexpr int shown_digits = 6;                    // of the values at which a claim fails
+
+double rounded_to(double value, int digits) {
+  if (value == 0) return 0;
+  const double unit = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * unit) / unit;
+}
 
 class ClaimSolver {
  public:
@@ -186,7 +193,7 @@ class ClaimSolver {
       return Outcome::decided;
     }
     if (verdict.holds) return Outcome::holds;
-    refute_simply(drawn.point, verdict);
+    if (!refute_clearly(drawn)) refute_simply(drawn.point, verdict);
     return Outcome::decided;
   }
 
@@ -308,6 +315,27 @@ class ClaimSolver {
 
   static bool is_turn_of_body(const Letter& open) { return open.unit.dimension == dimensions::none; }
 
+  // The way to where a claim fails may end where it only just does. It is told at round numbers, if it fails by more
+  // there. Returns whether there are such.
+  bool refute_clearly(const ClaimTrials::Drawn& drawn) {
+    if (takes_derivatives(situation_, claim_) || ground_.neglects() || !drawn.of) return false;
+    const double least = std::min(trials_->margin(drawn).value_or(0), 0.0);
+    for (int digits = 1; digits < shown_digits; ++digits) {
+      Point round = drawn.free;
+      for (auto& [letter, value] : round) value = rounded_to(value, digits);
+      const std::optional<ClaimTrials::Drawn> there = trials_->at(*drawn.of, round);
+      if (!there || !decided_alike(there->point) || !(trials_->margin(*there).value_or(0) < least)) continue;
+      const std::optional<Verdict> numbers = ground_.verdict_at(claim_, formulas_->formulas(), there->point);
+      const Verdict verdict = trials_->verdict(*there);
+      if (!numbers || verdict.holds || verdict.close) continue;
+      // Beside what is far larger rounding hides from the numbers what the formulas tell.
+      if ((numbers->holds || numbers->close) && !verdict.difference && !found_alike(*numbers, verdict)) continue;
+      refute_simply(there->point, verdict);
+      return true;
+    }
+    return false;
+  }
+
   // What fails with the bodies turned as they are drawn as well is refuted there, where their turns need no numbers.
   void refute_simply(const Point& point, const Verdict& verdict) {
     Point as_drawn = point;
@@ -380,7 +408,8 @@ class ClaimSolver {
       for (const ClaimTerm& term : formulas_->terms()) {
         const FormulaComparison& comparison = term.comparison;
         SolvedClaim::Comparison told{comparison.left, comparison.right, std::string(symbol(comparison.relation)),
-                                     term.dimension,  std::nullopt,     {}};
+                                     term.dimension,  std::nullopt,     {},
+                                     term.of,         term.component};
         if (one) told.reduced = poinsot::substituted(one->apply(comparison.difference()), parts);
         result_.comparisons.push_back(std::move(told));
       }

@@ -63,6 +63,28 @@ void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, co
   }
 }
 
+// A derivative by a letter is that of a formula, and of a letter with a value there is none. What holds for all values
+// of the letters holds at these.
+void decide_for_all_letters(const Statement& prepared, std::size_t k, const Claim& claim, const Settings& settings,
+                            const FormulaValues& exact, bool tell, SolvedClaim& solved) {
+  const Situation& situation = prepared.situations[k];
+  Settings open = settings;
+  FormulaValues open_exact = exact;
+  for (const Letter& letter : situation.letters) {
+    open.erase(letter.name);
+    open_exact.erase(letter.name);
+  }
+  if (open.size() == settings.size() || !situation.find.empty()) return;
+  const FormulaValues no_unknowns;
+  ClaimGround ground(situation, open, open_exact, no_unknowns);
+  SolvedClaim told = solve_claim(prepared, k, claim, ground, tell);
+  if (told.state == AskState::found && told.holds)
+    solved = std::move(told);
+  else if (told.state == AskState::found)
+    solved.reason =
+        "it does not hold for all letters, and by letters that have values there is no derivative: leave them open";
+}
+
 }  // namespace
 
 std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vector<Settings>& settings,
@@ -97,6 +119,8 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
       check_budget();
       ClaimGround& ground = grounds.try_emplace(k, situation, settings[k], exact, unknowns[k]).first->second;
       found = solve_claim(prepared, k, claim, ground, tell);
+      if (found.state != AskState::found && takes_derivatives(situation, claim))
+        decide_for_all_letters(prepared, k, claim, settings[k], exact, tell, found);
       if (found.state == AskState::found && (tell || (found.holds && !found.proved)))
         decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, found);
     } catch (const BudgetEnded& ended) {

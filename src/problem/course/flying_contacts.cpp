@@ -49,15 +49,17 @@ void Course::put_in_flight(StageRun& run, const std::vector<bool>& acting) {
   run.begin_piece(acting);
 }
 
-// Those with friction that touch, but for joints and cords.
+// Those with friction that touch, but for joints and cords. With `friction: 0` a contact is smooth.
 std::vector<std::size_t> Course::Piece::rubbing() const {
   std::vector<std::size_t> found;
   for (const RoughContactOf<double>& contact : machine_.rough_contacts)
-    if (!contact.in_joint() && !contact.on_cord()) found.push_back(static_cast<std::size_t>(contact.action));
+    if (!contact.in_joint() && !contact.on_cord() && (contact.resting != 0 || contact.sliding != 0))
+      found.push_back(static_cast<std::size_t>(contact.action));
   return found;
 }
 
-// What is held by friction in its joints alone is free in a blow.
+// What is held by friction in its joints alone is free in a blow, and contacts without friction, whatever is stated of
+// it, take part as smooth ones.
 SolvedInstant& Course::probe_for_blow(StageRun& run, const MotionState& state) {
   auto free = std::make_unique<Situation>(*in_states_[run.states_now]);
   bool any = false;
@@ -70,6 +72,15 @@ SolvedInstant& Course::probe_for_blow(StageRun& run, const MotionState& state) {
       stops(state.stage, contact.friction->mark,
             "there is a blow at " + with_digits(state.time, 6) + " s beside " + contact.words() +
                 " with friction in several ways together, and which way it slips then is not sought");
+    if (contact.friction && !contact.in_joint && !contact.on_cord &&
+        start_->data_number(contact.friction->resting, dimensions::none) == 0 &&
+        start_->data_number(contact.friction->sliding, dimensions::none) == 0) {
+      any = true;
+      contact.friction.reset();
+      contact.slip.reset();
+      contact.grip = Grip::unknown;
+      continue;
+    }
     if (!contact.in_joint || contact.grip != Grip::sticks) continue;
     any = true;
     contact.grip = Grip::slides;

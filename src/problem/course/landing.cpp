@@ -60,7 +60,7 @@ void Course::land(std::size_t stage, const std::vector<std::size_t>& meeting, co
     const std::size_t action = action_of_contact(contact.name);
     const bool closes = std::ranges::find(closed, action) != closed.end();
     if (closes && !contact.friction) refuse("where contact '" + contact.name + "' has none");
-    if (!closes && !contact.friction && piece.acting()[action]) refuse("beside smooth contacts that touch");
+    if (!closes && piece.acting()[action]) refuse("beside smooth contacts that touch");
     if (closes && contact.friction->falls())
       refuse("where there is less friction in sliding than at rest: in a blow there is one coefficient");
     contact.flies = contact.friction && !closes;

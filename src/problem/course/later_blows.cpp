@@ -3,11 +3,13 @@
 // With the restitution e < 1 and pressed together by an acceleration a, a contact that leaves with the speed u comes
 // back after 2 u/a with the same speed and leaves with e u: infinitely many blows take (2 u/a)/(1 - e) (Goldsmith,
 // Impact, ch. 2). Once u is small beside the first speed of approach, a changes no more meanwhile, and the contact is
-// held from there on: the momenta are the same, and places differ by u times that time.
+// held from there on: the momenta are the same, and places differ by u times that time. The same holds once the height
+// of a flight, u^2/(2 a), is hardly more than what places are known to: far down a slope that is so much sooner.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "poinsot/engine/dynamics/velocity_constraint.h"
 #include "problem/course/course.h"
 #include "problem/course/lost_contact.h"
 #include "problem/course/motion_piece.h"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr double small_speed = 3e-6;  // of the first speed of approach: its square is rounding of the motion
 constexpr double no_speed = 1e-8;     // of the same: where the motion itself is hardly known
+constexpr double seen_height = 1e4;   // times the rounding of places: speeds after flights are then good to its inverse
 constexpr double short_flight = 0.1;  // of the time in which the motion changes noticeably
 constexpr double meets = 1e-10;       // of the natural length and speed: where a contact is closed, and approached
 
@@ -46,6 +49,13 @@ double Course::Piece::gap_rate(std::size_t action, std::span<const double> v) {
 
 double Course::Piece::opening(std::size_t action, std::span<const double> v) {
   return opening_acceleration(*dynamics_, *normal_of(action), now_.q, v, motion_.pace_time_);
+}
+
+double Course::Piece::rounding_of_gap(std::size_t action) {
+  limit_state_.set_positions({now_.q.begin(), now_.q.end()});
+  const Vector3<double> place = constraint_point(machine_.mechanism.tree, limit_state_.workspace(),
+                                                 machine_.mechanism.constraints[*normal_of(action)]);
+  return std::numeric_limits<double>::epsilon() * (motion_.start_->natural_size(dimensions::length) + norm(place));
 }
 
 double Course::Piece::kinetic_energy(std::span<const double> v) { return dynamics_->kinetic_energy(now_.q, v); }
@@ -130,6 +140,7 @@ SolvedInstant::Met Course::met(std::size_t action) {
     if (!(*one.friction >= 0))
       fail(situation_.file, contact.friction->sliding.mark(),
            "the coefficient of friction of contact '" + contact.name + "' is negative");
+    if (*one.friction == 0 && !contact.friction->falls()) one.friction.reset();
   }
   return one;
 }
@@ -256,15 +267,23 @@ void Course::strike(std::size_t stage, const std::vector<std::size_t>& meeting, 
     std::string change = "the contact '" + contact.name + "' is struck";
     if (one.restitution == 0) {
       change += " without rebound";
-    } else if (const double opening = piece.opening(one.action, after); opening < 0) {
-      const double flight = 2 * leaves / -opening;
-      now.flight = now.flight > 0 ? std::min(now.flight, flight) : flight;
+    } else {
+      const double opening = piece.opening(one.action, after);
+      constexpr double none = 1e-6;  // of the natural acceleration, as in would_press_in()
+      const bool comes_back = opening < 0;
+      const double flight = comes_back ? 2 * leaves / -opening : std::numeric_limits<double>::infinity();
+      if (comes_back) now.flight = now.flight > 0 ? std::min(now.flight, flight) : flight;
       const double ratio = before < 0 ? leaves / -before : one.restitution;
       // The sum of all flights is known where they are so short that nothing else changes meanwhile. What comes back by
       // itself, as a pendulum to a stop at its lowest place, flies as long each time: that never ends, and is followed
       // until nothing is to be seen of it.
       const bool ends = flight <= short_flight * pace_time_;
-      if (leaves <= (ends ? small_speed : no_speed) * blows.fastest && ratio < 1 && one.restitution < 1) {
+      const bool unseen = ends && leaves * flight / 4 <= seen_height * piece.rounding_of_gap(one.action);
+      const bool pushed_away = opening > none * natural_speed() / pace_time_;
+      // Where nothing presses it back just then, it has come back by itself before: from the last blow to this one.
+      const bool returns = comes_back || (!blows_.empty() && blows_.back().action == one.action);
+      if (returns && (unseen || leaves <= (ends ? small_speed : no_speed) * blows.fastest) && !pushed_away &&
+          ratio < 1 && one.restitution < 1) {
         const double end = ends ? now.time + flight / (1 - ratio) : std::numeric_limits<double>::infinity();
         settled_[contact.name] = end;
         change = "the contact '" + contact.name +

@@ -10,6 +10,7 @@
 #include "poinsot/engine/dynamics/action_forces.h"
 #include "poinsot/engine/work/work.h"
 #include "problem/course/corners.h"
+#include "problem/course/touching.h"
 #include "problem/instant/open_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
@@ -263,14 +264,8 @@ std::optional<Event> Course::Piece::taut(const Component<double>& component) {
   event.size = motion_.start_->natural_size(dimensions::length);
   event.value = [this, index = static_cast<std::size_t>(constraint - constraints.begin())](
                     double, std::span<const double> q, std::span<const double>) { return dynamics_->gap(index, q); };
-  // Bodies that touch and are not pressed stay open: rounding is no blow.
-  if (motion_.has_later_contacts_ && motion_.later_contact(static_cast<std::size_t>(component.action))) {
-    constexpr double rounding = 1e-13;  // of the natural length
-    event.value = [gap = event.value, none = rounding * event.size](double time, std::span<const double> q,
-                                                                    std::span<const double> v) {
-      return gap(time, q, v) + none;
-    };
-  }
+  if (motion_.has_later_contacts_ && motion_.later_contact(static_cast<std::size_t>(component.action)))
+    event.value = gap_beyond_rounding(event.value, event.size, event.value(0, motion_.start_->machine().q, {}));
   return event;
 }
 

@@ -97,14 +97,15 @@ class Course::Piece {
   void check_nearness(const Trajectory& way) const;
 
   // Contacts that meet later (later_blows.cpp): those that do here; the rate of the gap of one, the acceleration with
-  // which it opens and the kinetic energy, with these velocities. Throws StatementError if one that is open at the
-  // start is none.
+  // which it opens and the kinetic energy, with these velocities; to what its gap is known. Throws StatementError if
+  // one that is open at the start is none.
   std::vector<std::size_t> meeting(std::optional<std::size_t> at_event);
   double gap_rate(std::size_t action, std::span<const double> v);
   // The contacts and cords that would catch where another one does, one action for each.
   std::vector<std::size_t> catching_beside(std::size_t action);
   double opening(std::size_t action, std::span<const double> v);
   double kinetic_energy(std::span<const double> v);
+  double rounding_of_gap(std::size_t action);
   void check_open();
 
   bool would_press_in(std::size_t action) {

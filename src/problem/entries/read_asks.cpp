@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "problem/entries/read_claims.h"
 #include "problem/keys/reader.h"
 
 namespace poinsot::problem {
@@ -104,6 +105,11 @@ Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
   ask.mark = name.mark;
   const Entry* of = &entry;
   if (entry.kind == Entry::Kind::map) {
+    if (entry.find("largest") || entry.find("smallest"))
+      for (const auto& [key, value] : entry.members)
+        if (key.text == "when" || key.text == "if" || key.text == "until")
+          fail(file, key.mark, "unknown key '" + key.text + "' in an ask",
+               "what is to hold up to there stands under 'while:'");
     const Members members(entry, file, {"ask"});
     if (members.find("largest") || members.find("smallest")) {
       ask.extremum = read_extremum(members, name, file);
@@ -149,6 +155,7 @@ Ask read_ask(const Key& name, const Entry& entry, const std::string& file) {
   } else {
     ask.of.push_back(parse_expression(*of, file));
   }
+  for (const Expression& expression : ask.of) refuse_compared_words(expression, file);
   return ask;
 }
 

@@ -1,5 +1,11 @@
 #include "problem/entries/read_claims.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "problem/language/expression_walk.h"
+
 namespace poinsot::problem {
 namespace {
 
@@ -15,7 +21,23 @@ void require_truth(const Expression& expression, const std::string& file) {
        "write a comparison, such as kinetic_energy(disk) == m*v^2/2, or stable(disk)");
 }
 
+// Questions whose answers are words.
+constexpr std::array<std::string_view, 4> told_in_words{"precession_sense", "polhode", "axis_stability", "stability"};
+
 }  // namespace
+
+void refuse_compared_words(const Expression& expression, const std::string& file) {
+  if (const Comparison* comparison = expression.as<Comparison>())
+    for (const Expression& operand : comparison->operands) {
+      const At* at = operand.as<At>();
+      const Call* call = (at ? at->expression : operand).as<Call>();
+      if (!call || std::ranges::find(told_in_words, call->function) == told_in_words.end()) continue;
+      fail(file, operand.mark(), call->function + "() is told in words, and words are not compared",
+           call->function == "stability" ? "claim stable(B)"
+                                         : "ask for it by itself, or compare numbers, as in spin_rate(B) < 0 rad/s");
+    }
+  for_each_child(expression, [&](const Expression& child) { refuse_compared_words(child, file); });
+}
 
 Letter read_letter(const Key& name, const Entry& entry, const std::string& file) {
   Letter letter{name.text, {}, name.mark};
@@ -54,6 +76,7 @@ Claim read_claim(const Key& name, const Entry& entry, const std::string& file) {
   if (claim.of.empty()) fail(file, of->mark, "claim '" + name.text + "' claims nothing");
   for (const Expression& expression : claim.of) {
     require_truth(expression, file);
+    refuse_compared_words(expression, file);
     claim.text += (claim.text.empty() ? "" : ", ") + to_string(expression);
   }
   return claim;

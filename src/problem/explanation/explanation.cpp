@@ -457,12 +457,12 @@ class Explainer {
   }
 
   std::string instant_words(const Sample::Home& home) const {
+    if (home.time) return ", at " + with_digits(*home.time, 4) + " s";
     const Situation& stated = situation(home.situation);
     std::size_t same_situation = 0;
     for (const auto& [other, questions] : questions_.instants)
       if (other.situation == home.situation) ++same_situation;
     if (same_situation < 2) return "";
-    if (home.time) return ", at " + with_digits(*home.time, 4) + " s";
     if (stated.has_blow()) return home.instant == 0 ? ", before the blow" : ", after the blow";
     return ", at the start" + (home.instant > 0 ? " of stage " + std::to_string(home.instant + 1) : std::string());
   }

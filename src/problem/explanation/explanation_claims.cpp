@@ -84,7 +84,7 @@ class ClaimExplainer {
           (comparison.reduced && comparison.reduced->is_zero() ? "; their difference is zero." : "."));
       return;
     }
-    ExplainedStep& step = add("In letters its sides are");
+    ExplainedStep& step = add(words_of_sides(comparison));
     add_line(step, "\\text{left} = " + *left);
     add_line(step, "\\text{right} = " + *right);
     if (!comparison.reduced) return;
@@ -95,6 +95,16 @@ class ClaimExplainer {
     }
     if (solved_.proved && comparison.relation != "==" && !comparison.reduced->is_zero())
       add("No values of the letters give the difference another sign.");
+  }
+
+  // Which sides these are: of which of several comparisons, and which component of vectors.
+  std::string words_of_sides(const SolvedClaim::Comparison& comparison) const {
+    const bool several = std::ranges::any_of(
+        solved_.comparisons, [&](const SolvedClaim::Comparison& other) { return other.of != comparison.of; });
+    const std::string of = several ? "the sides of " + code(comparison.of) : std::string("its sides");
+    if (comparison.component < 0) return "In letters " + of + " are";
+    return "In letters the $" + tex_.axis(static_cast<std::size_t>(comparison.component)) + "$ components of " + of +
+           " are";
   }
 
   // An expression of the file as a term in a formula.

@@ -405,6 +405,7 @@ void InstantExplainer::extra_conditions(const std::vector<std::size_t>& open, st
         if (std::find(open.begin(), open.end(), k) == open.end()) rest += all.coefficients[k] * values[k];
       return -rest;
     });
+    right = clean(right, dimension);
     std::string words = constraint.words;
     words = with_emphasis(std::move(words));
     // A direction in numbers is that of the letters that were drawn: then only what holds is named.

@@ -161,7 +161,11 @@ bool leaves_inertia_open(const Situation& situation, const std::string& body) {
 
 // Shows moments and products of inertia about the mass center or a fixed point, once for each.
 void InstantExplainer::inertia_step(ExplainedSection& section, int body, const ExplainedPoint* fixed, Plane plane) {
-  if (!inertia_said_.insert(fixed ? body + 10000 : body).second) return;
+  // In the plane the moment about one axis is told, else all of them.
+  constexpr int about_fixed = 10000, in_plane = 100000;
+  const int key = fixed ? body + about_fixed : body;
+  if (inertia_said_.contains(key) || !inertia_said_.insert(plane ? key + in_plane : key).second) return;
+  if (fixed) pivots_.insert_or_assign(body, *fixed);
   const auto tensor = [&, fixed](const auto& figures) {
     const auto mass = mass_of(figures.now, body);
     return fixed ? inertia_about(mass, position_of<ScalarOf<decltype(figures)>>(*fixed)) : mass.inertia_center;
@@ -293,8 +297,8 @@ void InstantExplainer::explain_kinematics() {
   std::vector<ExplainedStep> steps;
   for (const int body : questions_.moving) {
     const bool several = several_bodies() || questions_.moving.size() > 1;
-    motion_step(steps, body, several ? "_{" + ExplanationTex::upright(body_name(body)) + "}" : "", true,
-                questions_.accelerated.contains(body) && figures_.numbers.forces);
+    motion_step(steps, body, several ? "_{" + ExplanationTex::upright(body_name(body)) + "}" : "",
+                questions_.going.contains(body), questions_.accelerated.contains(body) && figures_.numbers.forces);
   }
   if (steps.empty()) return;
   ExplainedSection& here = section("Motion");
@@ -373,7 +377,14 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
     if (about && about_center && bodies.size() == 1) point_label = G.label;
     const bool fixed = about && !about_center && rests(body, about->position.number) && !sudden();
     const std::string index = bodies.size() > 1 ? "_{" + ExplanationTex::upright(body_name(body)) + "}" : "";
-    if (question.angular || question.energy) inertia_step(section("Inertia"), body, fixed ? &*about : nullptr);
+    const std::optional<ExplainedPoint> pivot =
+        question.energy && !question.about && !question.angular ? told_pivot(body) : std::nullopt;
+    const bool told_how = place_changes_as_told(body);
+    const Plane plane = situation_.plane   ? Plane(situation_.plane->normal())
+                        : question.angular ? Plane()
+                                           : turning_axis(body);
+    if (question.angular || (question.energy && !pivot))
+      inertia_step(section("Inertia"), body, fixed ? &*about : nullptr, plane);
     const ShownVector w = shown_vector([&](const auto& figures) { return figures.now.workspace().motion[at].w; });
     const auto velocity = [&](const auto& figures) {
       const auto& motion = figures.now.workspace().motion[at];
@@ -381,8 +392,8 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
     };
     const bool with_velocity =
         (!fixed || question.linear) && !(about_center && question.angular && !question.linear && !question.energy);
-    motion_step(steps, body, index, with_velocity, false);
-    if (question.linear) {
+    motion_step(steps, body, index, with_velocity && told_how && !pivot, false);
+    if (question.linear && told_how) {
       const ShownVector L =
           shown_vector([&](const auto& figures) { return momentum_of(figures.now, {body}, velocity(figures)).linear; });
       ExplainedStep step{"Its linear momentum is $\\mathbf{L} = m\\,\\mathbf{v}_{" + G.label + "}$:", {}};
@@ -439,26 +450,9 @@ void InstantExplainer::explain_momentum(const MomentumQuestion& question) {
         steps.push_back(std::move(moved));
       }
     }
-    if (question.energy) {
-      const Shown T = shown([&](const auto& figures) {
-        return body_kinetic_energy(figures.mechanism().tree, figures.now.workspace(), body);
-      });
-      const bool central = about.has_value() && about_center;
-      const Shown shown_energy = central ? shown([&](const auto& figures) {
-        const auto& omega = figures.now.workspace().motion[at].w;
-        return dot(omega, mass_of(figures.now, body).inertia_center * omega) / 2;
-      })
-                                         : T;
-      ExplainedStep step{central ? "Relative to the mass center $T' = \\tfrac12\\,\\boldsymbol{\\omega}\\cdot I_{" +
-                                       G.label + "}\\,\\boldsymbol{\\omega}$ (Eq. 18.17):"
-                                 : "Its kinetic energy is $T = \\tfrac12 m v_{" + G.label +
-                                       "}^2 + \\tfrac12\\,\\boldsymbol{\\omega}\\cdot I_{" + G.label +
-                                       "}\\,\\boldsymbol{\\omega}$ (Eq. 18.17):",
-                         {}};
-      if (tex_.can_show(shown_energy))
-        step.equations.push_back(tex_.equation((central ? "T'" : "T") + index, shown_energy, dimensions::energy, true));
-      steps.push_back(std::move(step));
-    }
+    const bool central = about.has_value() && about_center;
+    if (question.energy && (central || told_how))
+      steps.push_back(energy_step(body, index, central, pivot ? &*pivot : nullptr));
     if (has_absorbed(body)) steps.push_back(absorbed_step(question, body, about, index));
   }
   ExplainedSection& here = section(question.energy && !question.angular ? "Kinetic energy" : "Momentum");
@@ -491,6 +485,7 @@ void InstantExplainer::explain(const std::string& suffix, bool followed) {
   explain_momenta();
   if (!needs_balance() && !followed && states_momenta()) explain_found();
   explain_kinematics();
+  explain_points();
   explain_free_motion();
   std::erase_if(explanation_.sections, [](const ExplainedSection& one) { return one.steps.empty(); });
 }

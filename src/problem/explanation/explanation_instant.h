@@ -149,6 +149,13 @@ class InstantExplainer {
   void explain_momentum(const MomentumQuestion& question);
   void explain_kinematics();
   // These are defined in explanation_kinetics.cpp.
+  void explain_points();
+  std::optional<Vector3<Formula>> asked_formula(const Expression& asked);
+  ExplainedStep motion_of_point(const PointQuestion& question, const std::string& label, const ShownVector& vector);
+  bool place_changes_as_told(int body) const;
+  std::optional<std::size_t> turning_axis(int body) const;
+  std::optional<ExplainedPoint> told_pivot(int body) const;
+  ExplainedStep energy_step(int body, const std::string& index, bool central, const ExplainedPoint* pivot);
   void explain_free_motion();
   std::optional<ExplainedStep> precession_step(int body, const std::string& name, const Expression* about, bool cone);
   void motion_step(std::vector<ExplainedStep>& steps, int body, const std::string& index, bool with_velocity,
@@ -266,7 +273,8 @@ class InstantExplainer {
   bool later_ = false;     // whether it is a blow along a motion
   // What has been shown already, so that it is shown once.
   std::set<int> inertia_said_, mass_said_;
-  std::vector<Formula> conditions_;  // what rows without unknown forces say of the data
+  std::map<int, ExplainedPoint> pivots_;  // the fixed points of bodies about which moments of inertia are told
+  std::vector<Formula> conditions_;       // what rows without unknown forces say of the data
   std::set<std::string> motion_said_;
   // By what is said of them, the step that tells of bodies whose accelerations are unknown.
   struct OpenRates {

@@ -187,10 +187,14 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
         text += "have it as Eqs. 18.1 and 18.23 say.";
       // Bodies of which the same is said are named in one sentence.
       OpenRates& told = open_rates_[heading + text];
-      if (told.bodies.empty()) {
-        told.step = kinetic.steps.size();
-        kinetic.steps.emplace_back();
+      if (!told.bodies.empty()) {
+        // What is said of several bodies stands behind the velocities of the last of them.
+        kinetic.steps.erase(kinetic.steps.begin() + static_cast<std::ptrdiff_t>(told.step));
+        for (auto& [words, other] : open_rates_)
+          if (words.starts_with(heading) && other.step > told.step) --other.step;
       }
+      told.step = kinetic.steps.size();
+      kinetic.steps.emplace_back();
       told.bodies.push_back("*" + body_name(body) + "*");
       kinetic.steps[told.step].text = "How fast the velocities of " + listed(told.bodies, "and") + text;
       continue;
@@ -211,6 +215,155 @@ void InstantExplainer::kinetic_steps(const std::string& heading, const System& s
                                {tex_.equation("m\\,\\mathbf{a}_{" + center + "}", ma, dimensions::force)}});
     rate_step(kinetic, body, fixed ? point : G, fixed);
   }
+}
+
+// Whether what is stated determines how the mass center moves: that of a free body may be left open.
+bool InstantExplainer::place_changes_as_told(int body) const {
+  const solve::LinearSolution& velocities = sudden() ? solved_.blow() : solved_.velocities();
+  const auto& link = mechanism().tree.body(body);
+  if (link.joint != JointType::free || velocities.value.empty()) return true;
+  for (std::size_t k = 3; k < 6; ++k)
+    if (!velocities.determined(static_cast<std::size_t>(link.v) + k)) return false;
+  return true;
+}
+
+// The only axis of the ground about which a body turns.
+std::optional<std::size_t> InstantExplainer::turning_axis(int body) const {
+  const Vector3<double>& w = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)].w;
+  std::optional<std::size_t> axis;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_rounding(w[k], norm(w))) continue;
+    if (axis) return std::nullopt;
+    axis = k;
+  }
+  return axis;
+}
+
+// A fixed point of a body that turns, about which its moments of inertia are told already.
+std::optional<ExplainedPoint> InstantExplainer::told_pivot(int body) const {
+  const auto known = pivots_.find(body);
+  const Vector3<double>& w = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)].w;
+  if (known == pivots_.end() || vanishes(w, dimensions::angular_velocity) || has_absorbed(body) ||
+      !rests(body, known->second.position.number))
+    return std::nullopt;
+  return known->second;
+}
+
+// The kinetic energy by those of its terms that there are. central: that of turning about the mass center alone.
+ExplainedStep InstantExplainer::energy_step(int body, const std::string& index, bool central,
+                                            const ExplainedPoint* pivot) {
+  const auto at = static_cast<std::size_t>(body + 1);
+  const std::string center = center_label(body), about = pivot ? pivot->label : center;
+  const Shown energy = shown([&](const auto& figures) {
+    const auto& omega = figures.now.workspace().motion[at].w;
+    using Scalar = ScalarOf<decltype(figures)>;
+    return central ? Scalar(dot(omega, mass_of(figures.now, body).inertia_center * omega) / 2)
+                   : body_kinetic_energy(figures.mechanism().tree, figures.now.workspace(), body);
+  });
+  const auto& motion = figures_.numbers.now.workspace().motion[at];
+  const Vector3<double> v = motion.v + cross(motion.w, mass_of(figures_.numbers.now, body).center - motion.p);
+  const bool turns = !is_particle(body) && !vanishes(motion.w, dimensions::angular_velocity),
+             moves = !vanishes(v, dimensions::velocity);
+  const std::optional<std::size_t> axis = turning_axis(body);
+  const std::string moving = "\\tfrac12 m v_{" + center + "}^2",
+                    turning = axis
+                                  ? "\\tfrac12 I_{" + tex_.axis(*axis) + "}\\,\\omega^2"
+                                  : "\\tfrac12\\,\\boldsymbol{\\omega}\\cdot I_{" + about + "}\\,\\boldsymbol{\\omega}";
+  ExplainedStep step;
+  if (central)
+    step.text = "Relative to the mass center $T' = " + turning + "$ (Eq. 18.17):";
+  else if (pivot)
+    step.text = "The point $" + about + "$ of *" + body_name(body) +
+                "* is at rest: its kinetic energy is $T = " + turning + "$ (Eqs. 18.18 to 18.20):";
+  else if (!turns)
+    step.text =
+        "Its kinetic energy is $T = " + moving + "$" + (is_particle(body) ? ":" : ", as it does not turn (Eq. 18.17):");
+  else
+    step.text = "Its kinetic energy is $T = " + (moves ? moving + " + " : std::string()) + turning + "$" +
+                (moves ? "" : ", as its mass center is at rest") + " (Eq. 18.17):";
+  if (tex_.can_show(energy))
+    step.equations.push_back(tex_.equation((central ? "T'" : "T") + index, energy, dimensions::energy, true));
+  return step;
+}
+
+// Points that are asked for, by the motion of the mass center and the turning about it.
+void InstantExplainer::explain_points() {
+  std::vector<ExplainedStep> steps;
+  for (const PointQuestion& question : questions_.points) {
+    const bool place = question.kind == PointQuestion::Kind::place;
+    const Of* of = question.call.arguments.front().value.as<Of>();
+    const Name* point = of ? of->point.as<Name>() : nullptr;
+    // Of a point without a name, and of a body that has no mass center, the answer says all.
+    if ((of && !point) || (!of && mass_said_.contains(question.body)) ||
+        !(mechanism().tree.body(question.body).inertia.mass > 0) ||
+        (question.kind == PointQuestion::Kind::acceleration && !figures_.numbers.forces) ||
+        (!place && !place_changes_as_told(question.body)))
+      continue;
+    const Expression asked = built(question.call, question.call.arguments.front().value.mark());
+    Value<double> number;
+    try {
+      number = solved_.raw(asked, std::nullopt, nullptr);
+    } catch (const StatementError&) {
+      continue;  // what is not determined has its reason beside the answer
+    }
+    if (!number.is_vector()) continue;
+    const ShownVector vector = clean(confirmed(number.vector, asked_formula(asked)), number.dimension);
+    const std::string label = point ? ExplanationTex::symbol(point->name) : center_label(question.body);
+    if (!tex_.can_show(vector)) continue;
+    if (place)
+      steps.push_back({"The motion has led " + (point ? "$" + label + "$ of *" : std::string("*")) +
+                           body_name(question.body) + "* to",
+                       {tex_.equation("\\mathbf{r}_{" + label + "}", vector, dimensions::length)}});
+    else if (label != center_label(question.body))
+      steps.push_back(motion_of_point(question, label, vector));
+  }
+  if (steps.empty()) return;
+  ExplainedSection& here = section("Motion");
+  for (ExplainedStep& step : steps) here.steps.push_back(std::move(step));
+}
+
+std::optional<Vector3<Formula>> InstantExplainer::asked_formula(const Expression& asked) {
+  if (!formula_instant_) return std::nullopt;
+  try {
+    const Value<Formula> value = formula_instant_->raw(asked, std::nullopt, nullptr);
+    return value.is_vector() ? std::optional(value.vector) : std::nullopt;
+  } catch (const std::exception&) {
+    return std::nullopt;  // the number is shown alone
+  }
+}
+
+ExplainedStep InstantExplainer::motion_of_point(const PointQuestion& question, const std::string& label,
+                                                const ShownVector& vector) {
+  const int body = question.body;
+  const auto at = static_cast<std::size_t>(body + 1);
+  const std::string center = center_label(body), index = several_bodies() || questions_.moving.size() > 1
+                                                             ? "_{" + ExplanationTex::upright(body_name(body)) + "}"
+                                                             : std::string();
+  ExplainedStep step{"The point $" + label + "$ of *" + body_name(body) + "*:", {}};
+  const auto& motion = figures_.numbers.now.workspace().motion[at];
+  const Expression place =
+      built(Call{"position", {question.call.arguments.front()}}, question.call.arguments.front().value.mark());
+  const Vector3<double> here = solved_.raw(place, std::nullopt, nullptr).vector;
+  const std::optional<Vector3<Formula>> formula = asked_formula(place);
+  const ExplainedPoint G = mass_center(body);
+  std::optional<Vector3<Formula>> arm_formula;
+  if (formula && G.position.formula) arm_formula = *formula - *G.position.formula;
+  const ShownVector arm = clean(confirmed(Vector3<double>(here - G.position.number), arm_formula), dimensions::length);
+  const std::string r = "\\mathbf{r}_{" + label + "/" + center + "}", omega = "\\boldsymbol{\\omega}" + index;
+  const bool velocity = question.kind == PointQuestion::Kind::velocity;
+  const std::string letter = velocity ? "\\mathbf{v}" : "\\mathbf{a}";
+  const bool turns = !vanishes(motion.w, dimensions::angular_velocity);
+  std::string sum = letter + "_{" + center + "}";
+  if (!velocity && !vanishes(motion.alpha, dimensions::angular_acceleration))
+    sum += " + \\boldsymbol{\\alpha}" + index + "\\times" + r;
+  if (turns)
+    sum += velocity ? " + " + omega + "\\times" + r
+                    : " + " + omega + "\\times\\left(" + omega + "\\times" + r + "\\right)";
+  if (sum.find(r) != std::string::npos && tex_.can_show(arm))
+    step.equations.push_back(tex_.equation(r, arm, dimensions::length));
+  step.equations.push_back(tex_.equation(letter + "_{" + label + "} = " + sum, vector,
+                                         velocity ? dimensions::velocity : dimensions::acceleration));
+  return step;
 }
 
 // How a body turns on which no couple acts (Eqs. 18.46 to 18.49).

@@ -60,7 +60,8 @@ std::vector<ExplainedSection> motion_sections(const Statement& statement, std::s
       if (tex.can_show(shown)) kept.equations.push_back(tex.kept(one.symbol, shown, one.dimension));
       // A number that is known stands in the line of what keeps it.
       const Shown stated{one.value, one.at_start};
-      if (one.at_start && !tex.is_known(shown))
+      const bool same = one.at_start && one.formula && (*one.at_start - *one.formula).is_zero();
+      if (one.at_start && !same && !tex.is_known(shown))
         at_start.equations.push_back(tex.kept(one.symbol, stated, one.dimension));
     }
     std::erase_if(kept.equations, [](const ExplainedEquation& equation) { return equation.sides.empty(); });
@@ -234,6 +235,36 @@ void add_asked_size(ExplainedStep& step, const std::string& symbol, const Expres
                                         known_number(norm(vector)), dimension));
 }
 
+// The component by those of vector and direction; nothing along an axis, where it is one of the vector's.
+void add_asked_component(ExplainedStep& step, const std::string& symbol, const Expression& of,
+                         const Vector3<double>& vector, const Dimension& dimension, const Vector3<double>& along,
+                         const ExplanationTex& tex) {
+  constexpr double noticeable = 1e-9;
+  const Vector3<double> e = along / norm(along);
+  std::string sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(std::abs(e[k]) - 1) <= noticeable) return;
+    if (std::abs(vector[k] * e[k]) <= noticeable * norm(vector)) continue;
+    const bool minus = (vector[k] < 0) != (e[k] < 0);
+    sum += (sum.empty() ? (minus ? "-" : "")
+            : minus     ? " - "
+                        : " + ") +
+           tex.number(std::abs(vector[k]), dimension) + "\\cdot " + tex.number(std::abs(e[k]), dimensions::none);
+  }
+  if (sum.empty()) return;
+  // What is relative to a body stands nowhere else.
+  const Call* call = of.as<Call>();
+  const bool relative = call && call->argument("relative to");
+  const std::string name = vector_tex(of, tex) + (relative ? "_{\\mathrm{rel}}" : "");
+  if (const ShownVector shown{vector, {}}; relative && tex.can_show(shown))
+    step.equations.push_back(tex.equation(name, shown, dimension));
+  if (const ShownVector direction{e, {}}; tex.can_show(direction))
+    step.equations.push_back(tex.equation("\\mathbf{e}", direction, dimensions::none));
+  step.equations.push_back(
+      tex.equation(symbol + " = " + (name.empty() ? "\\mathbf{u}" : name) + "\\cdot\\mathbf{e} = " + sum,
+                   known_number(dot(vector, e)), dimension));
+}
+
 }  // namespace
 
 ExplainedSection vectors_section(const Statement& statement, const Solution& solution, const Sample::Home& home,
@@ -247,7 +278,8 @@ ExplainedSection vectors_section(const Statement& statement, const Solution& sol
     if (solution.asks[k].state != AskState::found && !as_formula) continue;
     const At* at = ask.of.front().as<At>();
     const Call* call = (at ? at->expression : ask.of.front()).as<Call>();
-    if (call == nullptr || (call->function != "angle" && call->function != "acute_angle" && call->function != "norm"))
+    if (call == nullptr || (call->function != "angle" && call->function != "acute_angle" && call->function != "norm" &&
+                            call->function != "component"))
       continue;
     const Sample::Home own = sample.home_of(ask);
     if (own < home || home < own) continue;
@@ -267,6 +299,9 @@ ExplainedSection vectors_section(const Statement& statement, const Solution& sol
                                : std::nullopt;
       if (!name.empty() && formula)
         step.equations.push_back({"", symbol + " = " + size_tex(name) + " = " + *formula, {}, 0});
+    } else if (call->function == "component") {
+      if (const std::optional<Value<double>> along = vector(call->argument("along")); along && !tex.numbers_open())
+        add_asked_component(step, symbol, *call->argument(""), first->vector, first->dimension, along->vector, tex);
     } else if (call->function == "norm") {
       if (!tex.numbers_open()) add_asked_size(step, symbol, *call->argument(""), first->vector, first->dimension, tex);
     } else if (const std::optional<Value<double>> second = vector(call->argument("to"))) {

@@ -42,6 +42,8 @@ class NearSteadySteps {
       steps_.clear();
     } catch (const NoFormula&) {
       steps_.clear();
+    } catch (const StatementError&) {
+      steps_.clear();  // of forces that are not determined
     }
     add_rates();
     add_responses();
@@ -52,27 +54,39 @@ class NearSteadySteps {
   double value(const Formula& x) const { return x.is_zero() ? 0 : value_at(x, near_.letters); }
 
   void add_formulas() {
-    if (!near_.formulas || !near_.formulas->machine().mechanism.constraints.empty() || rides()) return;
-    const FormulaInstant& formulas = *near_.formulas;
-    const SteadyFormulas motion = steady_formulas(near_.situation, formulas.machine(), formulas.positions(),
-                                                  formulas.velocities(), near_.numbers.machine());
+    if (!near_.formulas || rides()) return;
+    FormulaInstant& formulas = *near_.formulas;
+    SteadyFormulas motion = steady_formulas(near_.situation, formulas.machine(), formulas.positions(),
+                                            formulas.velocities(), near_.numbers.machine());
     std::vector<std::size_t> free = free_coordinates(motion);
     if (free.empty() || free.size() > most_freedoms) return;
-    LinearisedFormulas equations = linearised(motion, free);
-    leave_out_idle(equations, free);
+    const bool held = !formulas.machine().mechanism.constraints.empty();
+    std::optional<LinearisedFormulas> found;
+    if (held) {
+      formulas.solve_forces();
+      const auto first = formulas.unknowns().begin() + static_cast<std::ptrdiff_t>(motion.v.size());
+      motion.components.assign(first,
+                               first + static_cast<std::ptrdiff_t>(formulas.machine().mechanism.components.size()));
+      found = linearised_with_constraints(motion, free);
+    } else {
+      found = linearised(motion, free);
+    }
+    if (!found) return;
+    LinearisedFormulas& equations = *found;
+    if (!held) leave_out_idle(equations, free);
     if (free.empty()) return;
     std::vector<Formula> all;
-    for (const FormulaMatrix* matrix : {&equations.M, &equations.C, &equations.K})
+    for (const FormulaMatrix* matrix : {&equations.M, &equations.C, &equations.K, &equations.W})
       for (const auto& row : *matrix) all.insert(all.end(), row.begin(), row.end());
     const std::vector<Formula> reduced = without_shared_factors(all, near_.factors).rest;
     auto next = reduced.begin();
-    for (FormulaMatrix* matrix : {&equations.M, &equations.C, &equations.K})
+    for (FormulaMatrix* matrix : {&equations.M, &equations.C, &equations.K, &equations.W})
       for (auto& row : *matrix)
         for (Formula& entry : row) entry = *next++;
     polynomial_ = without_shared_factors(characteristic_polynomial(equations), near_.factors).rest;
     while (!polynomial_.empty() && polynomial_.front().is_zero()) polynomial_.erase(polynomial_.begin());
     if (polynomial_.size() < 2 || !has_these_rates() || !fits_units()) return;
-    if (free.size() == 1)
+    if (free.size() == 1 && !held)
       add_one(equations, free.front());
     else
       add_matrices(equations, free);
@@ -177,7 +191,7 @@ class NearSteadySteps {
   static std::optional<std::string> matrix_tex(const FormulaMatrix& matrix) {
     std::string tex = "\\begin{pmatrix}";
     for (std::size_t i = 0; i < matrix.size(); ++i) {
-      for (std::size_t k = 0; k < matrix.size(); ++k) {
+      for (std::size_t k = 0; k < matrix[i].size(); ++k) {
         const auto entry = ExplanationTex::formula(matrix[i][k]);
         if (!entry && !matrix[i][k].is_zero()) return std::nullopt;
         tex += (k == 0 ? " " : " & ") + (matrix[i][k].is_zero() ? "0" : *entry);
@@ -201,16 +215,31 @@ class NearSteadySteps {
       if (const auto tex = matrix_tex(*matrix); tex && tex->size() <= 3 * readable_line)
         step.equations.push_back({"", std::string("\\mathbf{") + name + "} = " + *tex, {}, 0});
     }
-    step.equations.insert(step.equations.begin(), {"", sum + " = \\mathbf{0}", {}, 0});
-    step.text = "Let " + listed(names) +
-                " be small deviations from this motion. To first order in them the equations of motion, without what "
-                "their terms share, are";
+    const bool held = !equations.J.empty();
+    step.equations.insert(step.equations.begin(),
+                          {"", sum + " = " + (held ? "\\mathbf{W}\\,\\mathbf{y}" : "\\mathbf{0}"), {}, 0});
+    step.text =
+        "Let " + listed(names) +
+        " be small deviations from this motion. To first order in them the equations of motion, without what "
+        "their terms share, " +
+        (held ? "and what holds the bodies beyond their joints, by forces that change with $\\mathbf{y}$, are" : "are");
+    if (held) {
+      std::string rates;
+      for (const auto& [matrix, name, symbol] : {std::tuple{&equations.J, "J", "\\dot{\\boldsymbol{\\xi}}"},
+                                                 std::tuple{&equations.B, "B", "\\boldsymbol{\\xi}"}})
+        if (!vanishes(*matrix)) ExplanationTex::add_term(rates, std::string("\\mathbf{") + name + "}", symbol);
+      step.equations.insert(step.equations.begin() + 1, {"", rates + " = \\mathbf{0}", {}, 0});
+      for (const auto& [matrix, name] :
+           {std::pair{&equations.W, "W"}, std::pair{&equations.J, "J"}, std::pair{&equations.B, "B"}})
+        if (const auto tex = matrix_tex(*matrix); tex && !vanishes(*matrix) && tex->size() <= 3 * readable_line)
+          step.equations.push_back({"", std::string("\\mathbf{") + name + "} = " + *tex, {}, 0});
+    }
     steps_.push_back(std::move(step));
-    add_polynomial(!vanishes(equations.C));
+    add_polynomial(!vanishes(equations.C), held);
   }
 
   // det(M l^2 + C l + K), of which only even powers are written by the frequency w with l^2 = -w^2.
-  void add_polynomial(bool gyroscopic) {
+  void add_polynomial(bool gyroscopic, bool held) {
     const bool even = is_even();
     const std::string symbol = even ? "\\omega" : "\\lambda";
     std::string sum, numbers;
@@ -243,6 +272,14 @@ class NearSteadySteps {
              : "Solutions $\\boldsymbol{\\xi} \\sim e^{\\lambda t}$ exist where a determinant vanishes, "
                "$\\left| \\lambda^{2}\\,\\mathbf{M} + \\lambda\\,\\mathbf{C} + \\mathbf{K} \\right| = 0$:",
         {}};
+    if (held)
+      step.text =
+          "Solutions $\\boldsymbol{\\xi} \\sim e^{\\lambda t}$ exist where the determinant of both together vanishes, "
+          "$\\left| \\begin{smallmatrix} \\lambda^{2}\\,\\mathbf{M} + " +
+          std::string(gyroscopic ? "\\lambda\\,\\mathbf{C} + " : "") +
+          "\\mathbf{K} & "
+          "-\\mathbf{W} \\\\ \\lambda\\,\\mathbf{J} + \\mathbf{B} & \\mathbf{0} \\end{smallmatrix} \\right| = 0$" +
+          std::string(even ? ", with $\\lambda^{2} = -\\omega^{2}$:" : ":");
     if (readable) step.equations.push_back({"", sum + " = 0", {}, 0});
     if (known) step.equations.push_back({"", numbers + " = 0", {}, 0});
     if (!step.equations.empty()) steps_.push_back(std::move(step));

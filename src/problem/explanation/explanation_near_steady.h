@@ -14,11 +14,11 @@ namespace poinsot::problem {
 struct NearSteady {
   const Situation& situation;
   SolvedInstant& numbers;
-  const FormulaInstant* formulas = nullptr;  // the same in formulas, if there are any
-  const LetterValues& letters;               // of these, SI
-  std::vector<Formula> factors;              // that may be shared by all terms (shared_factors.h)
-  std::vector<Call> responses{};             // that are asked for
-  std::optional<FoundDatum> limit{};         // the datum whose value here is the limit of stability
+  FormulaInstant* formulas = nullptr;  // the same in formulas, if there are any
+  const LetterValues& letters;         // of these, SI
+  std::vector<Formula> factors;        // that may be shared by all terms (shared_factors.h)
+  std::vector<Call> responses{};       // that are asked for
+  std::optional<FoundDatum> limit{};   // the datum whose value here is the limit of stability
 };
 
 // The equation of the deviation for one freedom, the matrices and the characteristic polynomial for more; frequencies

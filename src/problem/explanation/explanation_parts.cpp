@@ -81,7 +81,7 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
   const bool any_time = followed_ && formula_instant_ != nullptr;
   if (stated == situation_.bodies.end() || solved_.uses_any() || any_time) return;
   const Body whole = with_legs(*stated);
-  const std::vector<std::string> names = names_of_parts(whole);
+  std::vector<std::string> names = names_of_parts(whole);
   if (names.size() < 2) return;
   std::vector<MassProperties<double>> numbers = part_masses(whole, data_);
   std::vector<MassProperties<Formula>> formulas;
@@ -97,6 +97,15 @@ void InstantExplainer::parts_step(ExplainedSection& section, int body, const Exp
   }
   for (MassProperties<double>& part : numbers) part = moved(part, figures_.numbers.now, body);
   if (numbers.size() != names.size() || (!formulas.empty() && formulas.size() != names.size())) return;
+  // What has no mass adds nothing.
+  for (std::size_t i = names.size(); i-- > 0;) {
+    if (numbers[i].mass != 0) continue;
+    const auto place = static_cast<std::ptrdiff_t>(i);
+    names.erase(names.begin() + place);
+    numbers.erase(numbers.begin() + place);
+    if (!formulas.empty()) formulas.erase(formulas.begin() + place);
+  }
+  if (names.size() < 2) return;
   numbers.push_back(sum(numbers));
   try {
     if (!formulas.empty()) formulas.push_back(sum(formulas));

@@ -56,6 +56,7 @@ class Collector {
         if (!coordinate || coordinate->name != name.name) continue;
         const int body = machine().index.at(joint.to);
         if (name.primes >= 1) here().moving.insert(body);
+        if (name.primes >= 1) here().going.insert(body);
         if (name.primes == 2) accelerate(body);
       }
   }
@@ -87,8 +88,11 @@ class Collector {
     if (is({"velocity", "angular_velocity", "acceleration", "angular_acceleration"})) {
       for (const int body : bodies_in(call.arguments.front().value)) {
         here().moving.insert(body);
+        if (is({"velocity", "acceleration"})) here().going.insert(body);
         if (rate_ || is({"acceleration", "angular_acceleration"})) accelerate(body);
       }
+      if (is({"velocity", "acceleration"}) && call.arguments.size() == 1 && !rate_)
+        of_point(call, f == "velocity" ? PointQuestion::Kind::velocity : PointQuestion::Kind::acceleration);
       return;
     }
     if (is_kind(QuantityKind::free_motion)) {
@@ -101,10 +105,25 @@ class Collector {
       return;
     }
     // Where a body has come to is told by the motion.
-    if (f == "center" && (home_.time || home_.ending)) return;
+    if (is({"center", "position"}) && (home_.time || home_.ending)) {
+      of_point(call, PointQuestion::Kind::place);
+      return;
+    }
     if (is_kind(QuantityKind::inertia) || is({"mass", "weight", "center"}))
       for (const int body : bodies_in(call.arguments.front().value)) here().masses.insert(body);
     for (const Argument& argument : call.arguments) walk(argument.value);
+  }
+
+  void of_point(const Call& call, PointQuestion::Kind kind) {
+    const Expression& of = call.arguments.front().value;
+    const std::vector<int> bodies = bodies_in(of);
+    const auto same = [&](const PointQuestion& one) {
+      return one.kind == kind && same_tree(one.call.arguments.front().value, of);
+    };
+    if (bodies.size() != 1 || (kind != PointQuestion::Kind::place && !of.as<Of>()) ||
+        std::ranges::any_of(here().points, same))
+      return;
+    here().points.push_back({kind, bodies.front(), call});
   }
 
   void of_momentum(const Call& call) {

@@ -17,10 +17,18 @@ struct MomentumQuestion {
   bool rate = false;  // whether its rate is asked for
 };
 
+// How a point of a body moves, or where it or the mass center is.
+struct PointQuestion {
+  enum class Kind { place, velocity, acceleration } kind = Kind::velocity;
+  int body = whole_system;
+  Call call;  // velocity(A of plate), center(plate)
+};
+
 // What is asked for, or stated as a condition, at one instant.
 struct InstantQuestions {
   std::vector<MomentumQuestion> momenta;
   std::set<int> moving, accelerated;  // bodies whose velocities or accelerations are asked for
+  std::set<int> going;                // those of them of which not only the turning is asked for
   std::set<int> masses;               // bodies whose mass, center or inertia is asked for
   std::set<std::size_t> forces;       // actions whose forces, couples or impulses are asked for
   std::set<std::size_t> pushes;       // contacts and cords of which only whether they push or pull is asked
@@ -28,8 +36,8 @@ struct InstantQuestions {
   bool stability = false;             // whether what is near this motion is asked for: frequencies, rates of growth
   std::vector<Call> responses;        // response(X to F)
   std::vector<Call> free_motions;     // precession_rate(satellite) and its like
-  bool energies = false;
-  bool positions = false;  // whether only places and masses are asked for
+  std::vector<PointQuestion>
+      points;  // velocity(A of plate), acceleration(A of plate), later center(plate) and its like
 
   bool asks_forces() const { return !forces.empty() || !pushes.empty() || accelerations; }
 };

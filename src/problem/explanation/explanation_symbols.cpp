@@ -164,9 +164,8 @@ InstantExplainer::Symbol InstantExplainer::symbol_of_coordinate(std::size_t k, b
   const bool turns = solve::coordinate_turns(mechanism().tree, static_cast<int>(k));
   for (const NamedCoordinate& coordinate : machine.coordinates) {
     if (static_cast<std::size_t>(coordinate.velocity) != k) continue;
-    const std::string dot = rates ? "\\dot{" : "\\ddot{";
     symbol.tex = !coordinate.name.empty()
-                     ? dot + ExplanationTex::symbol(coordinate.name) + "}"
+                     ? ExplanationTex::symbol(coordinate.name + (rates ? "'" : "''"))
                      : ExplanationTex::symbol(rates ? (turns ? "omega" : "v") : (turns ? "alpha" : "a"),
                                               coordinate.joint + index_among_others(coordinate));
   }
@@ -318,7 +317,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
     if (force.kind == UnknownForce::Kind::impact) {
       const ShownVector direction = shown_vector(
           [&](const auto& figures) { return impact_wrench(*figures.before, figures.blow.impacts[force.index]).force; });
-      if (tex_.can_show(direction)) symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+      if (tex_.can_show(direction)) symbol += " along " + tex_.inline_both(direction, dimensions::none);
     }
     if (force.kind == UnknownForce::Kind::component) {
       const Component<double>& component = mechanism().components[force.index];
@@ -364,7 +363,7 @@ void InstantExplainer::force_list(ExplainedSection& here, const System& system,
           symbol += " along the normal, and the friction $" + coefficient + "\\," + system.unknown[i].tex +
                     "$ against the sliding";
         else if (tex_.can_show(direction)) {
-          symbol += " along " + tex_.inline_vector(direction, dimensions::none);
+          symbol += " along " + tex_.inline_both(direction, dimensions::none);
           if (with_own_direction(mechanism().actions[action].kind)) as_it_acts.insert(action);
         }
       }

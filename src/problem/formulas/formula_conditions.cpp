@@ -18,12 +18,17 @@ namespace poinsot::problem {
 
 namespace {
 
+// What has the sign of x, by the factors that have a part in it alone. Products of sines and cosines are written as
+// those of the double angle over powers of two, so that multiples may be shorter.
+std::vector<Formula> forms_of_sign(const Formula& x, bool keep_zeros) {
+  const Formula part = sign_part_in_sines(x, keep_zeros);
+  return {part, 2 * part, 4 * part, 8 * part, with_plain_numbers(part, standard_gravity_digits)};
+}
+
 // The shortest of the forms of a condition on a root.
 std::string words_of_root(const Formula& not_negative) {
   std::string words = formula_words(not_negative);
-  // With the factors that have a part in the sign alone.
-  const Formula part = sign_part(not_negative, true);
-  for (const Formula& one : {part, with_plain_numbers(part, standard_gravity_digits)})
+  for (const Formula& one : forms_of_sign(not_negative, true))
     if (std::string own = formula_words(one); own.size() < words.size()) words = std::move(own);
   return words + " >= 0";
 }
@@ -146,18 +151,10 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
   // No factor makes a line of a page, and each form of what is as long takes up to a second to write.
   constexpr std::size_t readable = 500;
   if (words.size() > readable) return words + " > 0";
-  const std::vector<std::string> letters = positive.letters();
-  const bool turns = std::ranges::any_of(open, [&](const Letter& letter) {
-    return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
-  });
   const Formula gravity = Formula::number(std::string(standard_gravity_digits));
   tried(with_plain_numbers(positive, standard_gravity_digits), best, words);
   for (const Formula& factor : {gravity, Formula(1) / gravity}) tried(Formula(best) * factor, best, words);
-  // Tangents of half angles, in which formulas are factored, are for sums only.
-  if (!turns) {
-    const Formula part = sign_part(positive, false);
-    for (const Formula& one : {part, with_plain_numbers(part, standard_gravity_digits)}) tried(one, best, words);
-  }
+  for (const Formula& one : forms_of_sign(positive, false)) tried(one, best, words);
   for (const Letter& letter : open) {
     if (letter.either_sign || is_angle(letter)) continue;
     const Formula factor = formula_of(letter).number, start = best;
@@ -168,6 +165,32 @@ std::string condition_words(const Formula& positive, const std::vector<Letter>& 
     for (const Formula& factor : {Formula(number), Formula(1) / Formula(number)}) tried(start * factor, best, words);
   const std::string opposite = formula_words(-best);
   return opposite.size() < words.size() ? opposite + " < 0" : words + " > 0";
+}
+
+std::vector<std::pair<std::string, Formula>> not_zero_conditions(const Formula& x, const std::vector<Letter>& open) {
+  std::vector<std::pair<std::string, Formula>> all;
+  // Factors come in tangents of half angles, of which several together are a cosine.
+  Formula of_angles(1);
+  for (const Formula& factor : vanishing_factors(x)) {
+    const std::vector<std::string> letters = factor.letters();
+    if (std::ranges::any_of(open, [&](const Letter& letter) {
+          return is_angle(letter) && std::ranges::find(letters, letter.name) != letters.end();
+        }))
+      of_angles *= factor;
+    else
+      all.emplace_back(formula_words(factor) + " != 0", factor);
+  }
+  if (of_angles.is_number()) return all;
+  std::string words = formula_words(of_angles);
+  const std::vector<std::string> letters = of_angles.letters();
+  for (const Letter& letter : open) {
+    if (!is_angle(letter) || std::ranges::find(letters, letter.name) == letters.end()) continue;
+    const Formula half = (1 + cos(formula_of(letter).number)) / 2;
+    for (const Formula& one : {of_angles * half, -of_angles * half, of_angles * half * half})
+      if (std::string own = formula_words(one); own.size() < words.size()) words = std::move(own);
+  }
+  all.emplace_back(words + " != 0", of_angles);
+  return all;
 }
 
 std::optional<bool> holds_as_told(const std::string& inequality, const std::vector<Letter>& letters,

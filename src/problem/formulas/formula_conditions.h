@@ -44,6 +44,8 @@ bool is_implied(const HeldCondition& condition, const std::vector<HeldCondition>
 
 // "5*g - 2*r*w^2 > 0": without the factors that have no part in the sign, as far as this is shorter. open: the letters.
 std::string condition_words(const Formula& positive, const std::vector<Letter>& open);
+// The factors of what must not vanish that may, with their words: "I - J != 0", "cos(b) != 0".
+std::vector<std::pair<std::string, Formula>> not_zero_conditions(const Formula& x, const std::vector<Letter>& open);
 
 // The second road to conditions: each is read back as it is told, by the reader of the language. A formula was found at
 // some letters, so its conditions hold there; elsewhere they hold where what was found positive is so.

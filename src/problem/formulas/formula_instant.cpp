@@ -93,41 +93,64 @@ void FormulaInstant::open_positions() {
   }
 }
 
-// A free body may be anywhere. Where a contact or a cord binds it, it stays in that direction as it is drawn.
+// A free body may be anywhere, and where contacts and cords bind it, anywhere along them. Where these places lie in a
+// plane or on a line, as on a floor or an incline, they are those at which all stays closed to first order; of cords
+// and round surfaces they are not, and the pose has no formula.
 void FormulaInstant::open_places() {
   const Model<Formula>& tree = machine_.mechanism.tree;
+  const auto& constraints = machine_.mechanism.constraints;
+  std::vector<std::size_t> places;
+  std::vector<Formula> drawn, moved;
+  std::map<std::string, Formula> unmoved;
+  solve::LinearSystemOf<Formula> stays_closed;
   for (int i = 0; i < tree.body_count(); ++i) {
     const auto& body = tree.body(i);
     if (body.joint != JointType::free) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = static_cast<std::size_t>(body.q) + 4 + k;
       if (machine_.position_given[at]) continue;
-      const Formula drawn = machine_.q[at];
       const std::string name = "place " + std::to_string(k + 1) + " of " + tree.name(i);
-      machine_.q[at] = drawn + Formula::letter(name, poinsot::Sign::real);
-      mechanism_state_->set_positions(machine_.q);
-      if (all_gaps_are_closed())
-        open_->made.push_back({name, si_unit(dimensions::length), {}, true});
-      else
-        machine_.q[at] = drawn;
+      places.push_back(at);
+      drawn.push_back(machine_.q[at]);
+      moved.push_back(Formula::letter(name, poinsot::Sign::real));
+      unmoved[name] = Formula(0);
+      stays_closed.add_unknown(name);
     }
   }
+  if (places.empty()) return;
+  const auto move_by = [&](const std::vector<Formula>& moves) {
+    for (std::size_t k = 0; k < places.size(); ++k) machine_.q[places[k]] = drawn[k] + moves[k];
+    mechanism_state_->set_positions(machine_.q);
+  };
+  move_by(moved);
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    if (!solve::binds_positions(constraints[i])) continue;
+    const Formula gap =
+        constraint_gap(tree, mechanism_state_->workspace(), constraints[i], axis_left_free(constraints, i));
+    const std::size_t row = stays_closed.add_equation(constraints[i].words);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Formula slope = derivative(gap, std::string(stays_closed.name(k)));
+      if (!slope.is_zero()) stays_closed.add(row, k, poinsot::substituted(slope, unmoved));
+    }
+  }
+  move_by(solve::solve_exactly(stays_closed, [&](std::size_t k) {
+            const std::string name(stays_closed.name(k));
+            open_->made.push_back({name, si_unit(dimensions::length), {}, true});
+            return Formula::letter(name, poinsot::Sign::real);
+          }).value);
+  if (!all_gaps_are_closed())
+    throw NoFormula("the places to which contacts and cords let a body go are found by numbers only");
 }
 
 bool FormulaInstant::all_gaps_are_closed() const {
   const auto& constraints = machine_.mechanism.constraints;
-  const auto closed = [&](std::size_t i) {
-    return constraint_gap(machine_.mechanism.tree, mechanism_state_->workspace(), constraints[i],
-                          axis_left_free(constraints, i))
-        .is_zero();
-  };
-  try {
-    for (std::size_t i = 0; i < constraints.size(); ++i)
-      if (solve::binds_positions(constraints[i]) && !closed(i)) return false;
-    return true;
-  } catch (const NoFormula&) {
-    return false;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    if (!solve::binds_positions(constraints[i])) continue;
+    const Formula gap = constraint_gap(machine_.mechanism.tree, mechanism_state_->workspace(), constraints[i],
+                                       axis_left_free(constraints, i));
+    if (!gap.is_zero()) return false;
   }
+  return true;
 }
 
 void FormulaInstant::set_positions(const std::vector<const Instant*>& instants) {

@@ -225,6 +225,8 @@ class FarSearch {
     if (!at_instant_[i] || (!fixed && !solved.formula)) return;
     if (solved.state != AskState::found && solved.state != AskState::needs_letters) return;
     const Value<double> value = asked_value(sample, ask);
+    // A word is told of the letters that are assumed.
+    if (is_word(value) && !is_assumed(task_.statement, sample.settings())) return;
     SolvedInstant& instant = sample.instant_of(ask);
     if (instant.forces_solved() && assume_physical(instant, sample.home(ask.of.front(), ask.mark), point.letters))
       return;

@@ -10,6 +10,7 @@
 #include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
+#include "problem/formulas/letter_scan.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -72,6 +73,12 @@ class FormulaSearch {
       if (reason) ask.no_formula = *reason;
     }
     solution_.assumptions.assign(assumptions.begin(), assumptions.end());
+    for (const Formula& leading : leading_)
+      for (const auto& [words, factor] : not_zero_conditions(numerator(leading), task_.open)) {
+        if (std::ranges::find(solution_.assumptions, words) != solution_.assumptions.end()) continue;
+        solution_.assumptions.push_back(words);
+        solution_.grounds.push_back({words, factor * factor});
+      }
   }
 
   FormulaGrounds grounds() {
@@ -121,14 +128,62 @@ class FormulaSearch {
     SolvedAsk& ask = solution_.asks[i];
     const std::vector<Formula> signs = positive(answers_.signs_of_word(task_.statement.asks[i]));
     require_no_remainders();
-    if (std::ranges::any_of(signs, [](const Formula& sign) { return seen_sign(sign).sign <= 0; }))
-      throw NoFormula("it is not the same for all letters");
+    const bool assuming = std::ranges::any_of(task_.statement.situations,
+                                              [](const Situation& situation) { return !situation.assume.empty(); });
+    if (std::ranges::any_of(signs, [](const Formula& sign) { return seen_sign(sign).sign <= 0; }) &&
+        !(assuming && positive_where_assumed(signs)))
+      throw NoFormula(assuming ? "it is not the same for all letters that are assumed"
+                               : "it is not the same for all letters");
     while (checkpoints_.size() <= draws) draw();
     for (const Checkpoint& point : checkpoints_)
-      if (!same(ask.value, asked_value(*point.sample, task_.statement.asks[i]), 0))
+      if (is_assumed(task_.statement, point.sample->settings()) &&
+          !same(ask.value, asked_value(*point.sample, task_.statement.asks[i]), 0))
         throw NoFormula("it is not the same for all letters");
     ask.letters.clear();
     ask.state = AskState::found;
+  }
+
+  // Whether signs that decide a word keep it for all letters that are assumed, as far as letters show that lie all over
+  // six decades and where what is assumed just holds.
+  bool positive_where_assumed(const std::vector<Formula>& signs) const {
+    constexpr std::size_t points = 20'000, enough = 300, most = 1000, led_to_edges = 30;
+    const LetterScan scan(task_.open, letters_of(task_.settings.front()));
+    std::size_t assumed = 0;
+    for (std::size_t n = 0; n < points && assumed < most; ++n) {
+      const LetterValues there = scan.point(n);
+      if (!is_assumed(task_.statement, settings_at(there))) continue;
+      if (++assumed <= led_to_edges && !positive_to_the_edges(signs, there)) return false;
+      if (!all_positive(signs, there)) return false;
+    }
+    return assumed >= enough;
+  }
+  // What turns a sign may be too narrow to be met by chance; it lies where what is assumed just holds.
+  bool positive_to_the_edges(const std::vector<Formula>& signs, const LetterValues& from) const {
+    constexpr int halvings = 40;
+    for (const Letter& letter : task_.open)
+      for (const double factor : {1e-3, 1e3}) {
+        LetterValues there = from;
+        double& value = there.at(letter.name);
+        double inside = value;
+        double outside = is_angle(letter) ? value + (factor > 1 ? 1 : -1) : value * factor;
+        for (int i = 0; i < halvings; ++i) {
+          value = (inside + outside) / 2;
+          (is_assumed(task_.statement, settings_at(there)) ? inside : outside) = value;
+        }
+        value = inside;
+        if (!all_positive(signs, there)) return false;
+      }
+    return true;
+  }
+  static bool all_positive(const std::vector<Formula>& signs, const LetterValues& there) {
+    return std::ranges::all_of(signs, [&](const Formula& sign) { return value_at(sign, there) > 0; });
+  }
+  AllSettings settings_at(const LetterValues& letters) const {
+    AllSettings settings = task_.settings;
+    for (Settings& one : settings)
+      for (const Letter& letter : task_.open)
+        one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
+    return settings;
   }
 
   // What was decided, in letters and such that it is positive where it was.
@@ -207,7 +262,7 @@ class FormulaSearch {
       for (std::size_t k = 0; unknown.vector && k < 3; ++k)
         letters.push_back({component_name(unknown, situation, k), angle, value.vector[k], natural});
     });
-    unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters));
+    unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters), &leading_);
     while (checkpoints_.size() <= draws) draw();
     std::vector<SolvedUnknown> all;
     for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
@@ -377,6 +432,7 @@ class FormulaSearch {
   const FormulaTask& task_;
   Solution& solution_;
   std::map<std::string, Formula> unknowns_;
+  std::vector<Formula> leading_;  // what must not vanish in these formulas, as in solve_unknowns
   std::vector<FormulaValues> values_;
   FormulaAnswers answers_;
   FormulaGrounds grounds_;

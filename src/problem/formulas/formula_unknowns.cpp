@@ -20,6 +20,9 @@ struct Root {
   Formula root;
   std::optional<Formula> square;
   double sign = 1;
+  // Of a quadratic with a linear term: its leading coefficient over that of the term. Where it vanishes there is a
+  // root, too.
+  std::optional<Formula> leading{};
 };
 
 // The one of two formulas whose value is closer to a number.
@@ -54,9 +57,10 @@ std::optional<Root> root_of(std::vector<Formula> c, double value) {
     const Formula square = c.size() == 3 ? -c[0] / c[2] : quadratic(c[4], c[2], c[0], value * value);
     if (plain(square) < 0) return std::nullopt;
     const Formula root = sqrt(square);
-    return Root{value < 0 ? -root : root, square, value < 0 ? -1.0 : 1.0};
+    return Root{value < 0 ? -root : root, square, value < 0 ? -1.0 : 1.0,
+                c.size() == 3 || c[2].is_zero() ? std::nullopt : std::optional(c[4] / c[2])};
   }
-  if (c.size() == 3) return Root{quadratic(c[2], c[1], c[0], value), {}, 1};
+  if (c.size() == 3) return Root{quadratic(c[2], c[1], c[0], value), {}, 1, c[2] / c[1]};
   return std::nullopt;
 }
 
@@ -107,6 +111,7 @@ std::optional<Formula> half_of_angle(const std::vector<Formula>& c, double value
 struct Found {
   Formula formula;
   std::size_t degree = 0;
+  std::optional<Formula> leading{};
 };
 std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& unknown) {
   const std::vector<std::string> letters = remainder.letters();
@@ -117,7 +122,7 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
       if (!coefficients) return std::nullopt;
       const std::optional<Root> root = root_of(*coefficients, unknown.value);
       if (!root) return std::nullopt;
-      return Found{root->root, coefficients->size() - 1};
+      return Found{root->root, coefficients->size() - 1, root->leading};
     }
     // With t = tan(u/2) sines and cosines of u are rational functions of t.
     const std::string half = unknown.name + "_half";
@@ -167,7 +172,8 @@ Formula first_order(const Formula& x, const std::vector<std::string>& small) {
   return sum;
 }
 
-std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns) {
+std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns,
+                                              std::vector<Formula>* leading) {
   std::map<std::string, Formula> found;
   while (!unknowns.empty()) {
     std::optional<Found> best;
@@ -188,6 +194,10 @@ std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, s
     const std::map<std::string, Formula> value{{unknowns[chosen].name, best->formula}};
     for (auto& [name, formula] : found) formula = substituted(formula, value);
     found[unknowns[chosen].name] = best->formula;
+    if (leading) {
+      for (Formula& one : *leading) one = substituted(one, value);
+      if (best->leading) leading->push_back(*best->leading);
+    }
     unknowns.erase(unknowns.begin() + static_cast<std::ptrdiff_t>(chosen));
     std::vector<Formula> left;
     for (const Formula& remainder : remainders)

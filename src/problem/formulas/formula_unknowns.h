@@ -29,7 +29,9 @@ Formula first_order(const Formula& x, const std::vector<std::string>& small);
 // Solves the equations one after the other. Those that are linear in an unknown come first, then those that are
 // quadratic in it, in its square, or in the tangent of half an angle. Of several roots the one close to the unknown's
 // value is taken. remainders: must all vanish. Throws NoFormula if unknowns are left over, or equations that do not
-// hold.
-std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns);
+// hold. leading: gets the leading over the linear coefficients of quadratics. Where one vanishes there is a root, too,
+// but of the two formulas one is 0/0 there and the other infinite.
+std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns,
+                                              std::vector<Formula>* leading = nullptr);
 
 }  // namespace poinsot::problem

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "poinsot/engine/work/work_scope.h"
 #include "problem/formulas/formula_answers.h"
@@ -22,10 +23,11 @@ constexpr std::size_t scanned_by_dimensions = 2;  // where dimensions alone tell
 constexpr Work looking_nearer = 2;                // times as much work may go into what lies before far points
 constexpr Work closing_in = 3;                    // and into the bounds
 constexpr int most_halvings = 40;
-constexpr int largest_guess = 12;      // denominator of a bound that is guessed
-constexpr double simple_to = 1e-3;     // relative distance at which a guess is tried on either side
-constexpr double closed_in = 1e-6;     // relative distance of the two ends between which a bound lies
-constexpr double beside_bound = 0.02;  // of a bound: where it is tried, on either side
+constexpr int largest_guess = 12;       // denominator of a bound that is guessed
+constexpr double simple_to = 1e-3;      // relative distance at which a guess is tried on either side
+constexpr double closed_in = 1e-6;      // relative distance of the two ends between which a bound lies
+constexpr double leaves_at_once = 100;  // of the tolerance: by how much a law fails at that distance beyond a bound
+constexpr double beside_bound = 0.02;   // of a bound: where it is tried, on either side
 
 class Reach {
  public:
@@ -76,6 +78,13 @@ class Reach {
       points.push_back({base_, much ? letter.name : ""});
       points.back().letters[letter.name] = value;
     };
+    // What a tiny number stands before matters only where it is huge.
+    const auto far_off_where_left_out = [&] {
+      for (const double far : {1e3, 1e6})
+        for (const Letter& letter : letters_)
+          if (letter.unit.dimension != dimensions::angle && left_out(letter.name))
+            moved(letter, far * base_.at(letter.name), true);
+    };
     // With no group of the letters there is none that a bound could be at: all far points are one motion in other
     // units, and where all letters are others at once none is left out. But numbers of the file may make one: how long
     // the motion lasts, where something stops it.
@@ -83,6 +92,7 @@ class Reach {
       for (std::size_t i = 0; i < scanned_by_dimensions; ++i) points.push_back({scanned(i)});
       for (const double far : {20.0, 0.05})
         for (const Letter& letter : letters_) moved(letter, far * base_.at(letter.name), true);
+      far_off_where_left_out();
       return points;
     }
     for (const Letter& letter : letters_)
@@ -90,6 +100,7 @@ class Reach {
     for (const double far : {20.0, 0.05})
       for (const Letter& letter : letters_)
         if (letter.unit.dimension != dimensions::angle) moved(letter, far * base_.at(letter.name), true);
+    far_off_where_left_out();
     // Far off there may be no answer, or one that takes long, where a bound is close by.
     for (const double times : {4.0, 0.25})
       for (const Letter& letter : letters_)
@@ -244,7 +255,10 @@ class Reach {
     for (std::size_t k = 0; k < laws_.size(); ++k) {
       const std::optional<Value<double>>& value = answers.at(laws_[k].answer);
       if (!value) {
-        if (tells_in_vain(laws_[k], letters)) holds[k] = false;
+        if (tells_in_vain(laws_[k], letters)) {
+          holds[k] = false;
+          misfits_[k] = INFINITY;
+        }
         continue;
       }
       // Nothing swings where what is under the root of a frequency is negative.
@@ -281,6 +295,7 @@ class Reach {
         result.not_there.push_back(one.letters);
       else if (!result.fails)
         result.fails = one.letters;
+      if (result.hangs_on.empty()) result.hangs_on = one.much;
     }
     // No time is negative, and what is asked at one needs one.
     for (const HeldLaw& law : laws_) {
@@ -411,7 +426,8 @@ class Reach {
         guessed = simple;
         const double inwards = holds < fails ? -1 : 1;
         if (holds_at(simple * (1 + inwards * simple_to)) == true &&
-            holds_at(simple * (1 - inwards * simple_to)) == false && !is_contradicted(simple, inwards, holds_at))
+            holds_at(simple * (1 - inwards * simple_to)) == false && misfits_[k] > leaves_at_once * task_.tolerance &&
+            !is_contradicted(simple, inwards, holds_at))
           return simple_number(simple, closed_in);
       }
       const double middle = std::sqrt(holds * fails);
@@ -419,7 +435,19 @@ class Reach {
       if (!there) return std::nullopt;
       (*there ? holds : fails) = middle;
     }
-    return simple_number(std::sqrt(holds * fails), 10 * closed_in);
+    const double bound = std::sqrt(holds * fails);
+    const double outwards = holds < fails ? 1 : -1;
+    const auto misfit = misfit_at(k, group, bound * (1 + outwards * simple_to));
+    if (misfit && *misfit > leaves_at_once * task_.tolerance) return simple_number(bound, 10 * closed_in);
+    // It takes a dozen points more, and few laws need it.
+    if (!std::exchange(flat_begun_, true)) limit_ = WorkLimit(closing_in * task_.most);
+    const auto edge = flat_edge(bound, outwards, [&](double value) { return misfit_at(k, group, value); });
+    return edge ? std::optional(simple_number(*edge, flat_edge_error)) : std::nullopt;
+  }
+  std::optional<double> misfit_at(std::size_t k, const LetterGroup& group, double value) {
+    if (limit_.spent()) return std::nullopt;
+    const std::optional<bool> there = at(group.moved(base_, value))[k];
+    return there && misfits_[k] > 0 ? std::optional(misfits_[k]) : std::nullopt;
   }
   // Whether a bound that is guessed is none, nearer and nearer to it: 9.8 m/s^2 is not the standard gravity.
   template <class HoldsAt>
@@ -443,6 +471,7 @@ class Reach {
   const LetterScan scan_;
   double& misfit_;
   WorkLimit limit_;
+  bool flat_begun_ = false;      // whether a bound was looked for that is left flatly
   Work each_ = task_.each;       // that a point may take
   bool too_long_ = false;        // whether the point tried last took more
   std::vector<Tried> tried_;     // the base first

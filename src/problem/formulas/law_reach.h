@@ -23,6 +23,7 @@ struct LawReach {
   std::vector<Formula> positive;        // wherever the law holds: 4*g - L*w^2
   bool told = true;                     // whether it holds wherever all of these are positive
   std::optional<LetterValues> fails;    // where the answer is another one
+  std::string hangs_on{};               // the letter that alone is another one there, if it is one
   std::vector<LetterValues> not_there;  // where there is no answer, since something does not happen
   // A letter that the law leaves out though there was no answer where it is much larger or smaller: it may matter
   // there.

@@ -193,8 +193,7 @@ class LawSearch {
         solution_.assumptions.push_back(words);
   }
 
-  // Whether a cord would push or a contact pull at an instant with these letters. The solution then assumes that none
-  // does.
+  // Whether a cord would push or a contact pull at an instant with these letters; it is then assumed that none does.
   bool is_beyond(const LetterValues& letters) {
     for (const OneSidedForce& force : forces_) {
       if (!(value_at(force.value, letters) < 0)) continue;
@@ -337,6 +336,7 @@ class LawSearch {
     ask.formula_road.clear();
     ask.state = AskState::needs_letters;
     if (ask.letters.empty()) ask.letters = all_letters();
+    if (!reach.hangs_on.empty()) add_once(ask.letters, reach.hangs_on);
   }
   const SolvedUnknown* listed_unknown(std::size_t k) const {
     const auto found = std::ranges::find_if(solution_.unknowns, [&](const SolvedUnknown& known) {
@@ -426,8 +426,7 @@ class LawSearch {
     return answers;
   }
 
-  // The settings with the unknowns found at these letters; nothing unless they have as many roots as at the first
-  // values of the letters.
+  // The settings at these letters, with the unknowns; nothing unless there are as many roots as at the first letters.
   std::optional<AllSettings> settings_at(const LetterValues& letters) {
     AllSettings settings = task_.settings;
     for (AllSettings::value_type& one : settings)

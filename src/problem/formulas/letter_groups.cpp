@@ -95,4 +95,37 @@ Formula simple_number(double number, double tolerance) {
   return rounded(number, number, told_digits);
 }
 
+std::optional<double> flat_edge(double passed, double outwards,
+                                const std::function<std::optional<double>(double)>& misfit_at) {
+  constexpr int highest_power = 4;
+  constexpr double settled = 1e-3;  // of the edge: its error falls as the cube of the way
+  double edge = passed, moved = INFINITY;
+  for (const double way : {0.05, 0.02, 0.01, 0.005}) {
+    double x[3], misfit[3];
+    for (int i = 0; i < 3; ++i) {
+      x[i] = edge * (1 + outwards * way * (i + 1));
+      const std::optional<double> found = misfit_at(x[i]);
+      if (!found) return std::nullopt;
+      misfit[i] = *found;
+    }
+    // The power is that with which the straight line through two places and the curve through three agree best.
+    double next = NAN, least = INFINITY;
+    for (int power = 1; power <= highest_power; ++power) {
+      double r[3];
+      for (int i = 0; i < 3; ++i) r[i] = std::pow(misfit[i], 1.0 / power);
+      const double straight = x[0] - r[0] * (x[1] - x[0]) / (r[1] - r[0]);
+      const double curved = x[0] * r[1] * r[2] / ((r[0] - r[1]) * (r[0] - r[2])) +
+                            x[1] * r[0] * r[2] / ((r[1] - r[0]) * (r[1] - r[2])) +
+                            x[2] * r[0] * r[1] / ((r[2] - r[0]) * (r[2] - r[1]));
+      if (!(std::abs(curved - straight) < least)) continue;
+      least = std::abs(curved - straight);
+      next = curved;
+    }
+    if (!(next > passed / 2) || !(next < passed * 2)) return std::nullopt;
+    moved = std::abs(next - edge);
+    edge = next;
+  }
+  return moved <= settled * edge ? std::optional(edge) : std::nullopt;
+}
+
 }  // namespace poinsot::problem

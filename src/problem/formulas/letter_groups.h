@@ -1,6 +1,7 @@
 // Products of powers of letters that have no dimension, and where along such a group something changes.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,5 +35,13 @@ std::vector<LetterGroup> groups_of(const std::vector<Letter>& letters);
 
 // The fraction with a small denominator that a number is up to so many digits; else the number with six digits.
 Formula simple_number(double number, double tolerance);
+
+// Where a law ends that another branch leaves flatly, as a power of the way beyond its bound, so that the misfit passes
+// a tolerance far from the bound only: the place where a root of it vanishes that is straight beyond. passed: where the
+// tolerance is passed; outwards: 1 or -1, the side of it on which the law fails. Nothing where this does not settle, or
+// is far from where the tolerance is passed: a law that is left from nothing on only approximates.
+constexpr double flat_edge_error = 1e-5;  // of the edge
+std::optional<double> flat_edge(double passed, double outwards,
+                                const std::function<std::optional<double>(double)>& misfit_at);
 
 }  // namespace poinsot::problem

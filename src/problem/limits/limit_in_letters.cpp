@@ -71,7 +71,8 @@ class LimitSearch {
 
   void search(const std::vector<Settings>& draws) {
     if (!situation_.find.empty()) throw NoFormula("beside unknowns it is found by numbers");
-    if (situation_.steady || situation_.has_blow()) throw NoFormula("it is found by numbers");
+    if (situation_.steady) throw NoFormula("in a steady motion the limits of contacts are found by numbers");
+    if (situation_.has_blow()) throw NoFormula("after a blow the limits of contacts are found by numbers");
     int ends = 0, tried = 0;
     for (const Settings& drawn : draws) {
       const AllSettings settings(statement_.situations.size(), drawn);

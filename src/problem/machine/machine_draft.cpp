@@ -1,6 +1,7 @@
 #include "problem/machine/machine_draft.h"
 
 #include <cmath>
+#include <exception>
 #include <stdexcept>
 
 #include "poinsot/engine/mass/composition.h"
@@ -32,6 +33,15 @@ std::string MachineDraft<Scalar>::direction_name(const Vector3<Scalar>& directio
     if (constexpr double off = 1e-9;  // which is an angle of nine seconds: three digits of a direction do not show it
         std::abs(std::abs(d[k]) - 1) < off)
       return situation.axes[k];
+  // A direction of the statement has a name.
+  for (const NamedExpression& stated : situation.directions) {
+    try {
+      constexpr double off = 1e-9;
+      if (std::abs(std::abs(dot(plain(data.direction(stated.value)), d)) - 1) < off) return stated.name;
+    } catch (const std::exception&) {
+      // One without a value, or without a formula where the machine is made of formulas, is not the one sought.
+    }
+  }
   return "[" + with_digits(d.x, 3) + ", " + with_digits(d.y, 3) + ", " + with_digits(d.z, 3) + "]";
 }
 

@@ -142,6 +142,47 @@ LinearisedFormulas linearised(const SteadyFormulas& motion, const std::vector<st
   return result;
 }
 
+std::optional<LinearisedFormulas> linearised_with_constraints(const SteadyFormulas& motion,
+                                                              const std::vector<std::size_t>& free) {
+  const Mechanism<Formula>& mechanism = motion.machine.mechanism;
+  const std::size_t n = motion.v.size();
+  if (motion.components.size() != mechanism.components.size()) return std::nullopt;
+  // Axes do not turn relative to those of the coordinates.
+  for (int i = 0; i < mechanism.tree.body_count(); ++i)
+    if (velocity_size(mechanism.tree.body(i).joint) > 1) return std::nullopt;
+  std::vector<Formula> a(n);
+  for (const auto& rate : motion.machine.accelerations) a[static_cast<std::size_t>(rate.velocity)] = rate.value;
+  const solve::EquationMatrices<Formula> all = solve::equation_matrices(mechanism, motion.q);
+  const solve::RemainderSlopes<Formula> slopes(mechanism, State<Formula>{motion.q, motion.v}, a, motion.components);
+  const std::size_t count = free.size();
+  LinearisedFormulas near{zeros(count), zeros(count), zeros(count)};
+  FormulaMatrix by_position(all.J.size()), by_velocity(all.J.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const solve::Remainder<Formula> moved = slopes.by_position(free[k]), hastened = slopes.by_velocity(free[k]);
+    for (std::size_t i = 0; i < count; ++i) {
+      near.M[i][k] = all.M[free[i]][free[k]];
+      near.C[i][k] = hastened.forces[free[i]];
+      near.K[i][k] = moved.forces[free[i]];
+    }
+    for (std::size_t i = 0; i < all.J.size(); ++i) {
+      by_position[i].push_back(moved.rates[i]);
+      by_velocity[i].push_back(hastened.rates[i]);
+    }
+  }
+  for (std::size_t i = 0; i < all.J.size(); ++i) {
+    if (vanishes({by_velocity[i]}) && vanishes({by_position[i]})) continue;
+    near.J.push_back(by_velocity[i]);
+    near.B.push_back(by_position[i]);
+  }
+  near.W.resize(count);
+  for (std::size_t j = 0; j < mechanism.components.size(); ++j) {
+    if (std::ranges::all_of(free, [&](std::size_t k) { return all.C[k][j].is_zero(); })) continue;
+    for (std::size_t i = 0; i < count; ++i) near.W[i].push_back(all.C[free[i]][j]);
+  }
+  if (near.J.empty() || near.W.front().size() != near.J.size()) return std::nullopt;
+  return near;
+}
+
 std::vector<Formula> coefficients_by(Formula rest, const std::string& letter, std::size_t degree) {
   std::vector<Formula> c;
   Formula factorial(1);
@@ -159,6 +200,14 @@ std::vector<Formula> characteristic_polynomial(const LinearisedFormulas& near) {
   FormulaMatrix P = near.K;
   for (std::size_t i = 0; i < P.size(); ++i)
     for (std::size_t k = 0; k < P.size(); ++k) P[i][k] += l * near.C[i][k] + l * l * near.M[i][k];
+  const std::size_t free = P.size();
+  for (std::size_t i = 0; i < free && !near.J.empty(); ++i)
+    for (const Formula& one : near.W[i]) P[i].push_back(-one);
+  for (std::size_t i = 0; i < near.J.size(); ++i) {
+    P.emplace_back();
+    for (std::size_t k = 0; k < free; ++k) P.back().push_back(l * near.J[i][k] + near.B[i][k]);
+    P.back().resize(free + near.J.size());
+  }
   return coefficients_by(numerator(determinant(P)), name, 2 * P.size());
 }
 

@@ -249,6 +249,13 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
                                                                  : "its three principal moments differ"),
           "its motion is no steady precession");
     const Scalar &axial = revolution.axial, &transverse = revolution.transverse;
+    if (f == "precession_sense") {
+      // The second road asks for the axis on the side of the angular velocity; the moments alone decide the sense.
+      axis = plain(dot(revolution.axis, w)) < 0 ? -revolution.axis : revolution.axis;
+      const bool direct = decided_negative(axial - transverse);
+      told(Kind::precession_sense, {Scalar(direct ? 1 : -1), Scalar(0), Scalar(0)});
+      return Result::of_text(direct ? "direct" : "retrograde");
+    }
     // The axis has the sense of the angular velocity, unless the caller states another.
     axis = revolution.axis;
     if (decided_negative(dot(axis, w))) axis = -axis;
@@ -269,13 +276,9 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     }
     if (f == "precession_rate")
       return number(Kind::precession_rate, Scalar(norm(H) / transverse), dimensions::angular_velocity);
-    if (f == "spin_rate")
-      return number(Kind::spin_rate, Scalar(dot(w, axis) * (transverse - axial) / transverse),
-                    dimensions::angular_velocity);
-    require_one_of(f, {"precession_sense"});
-    const bool direct = decided_negative(axial - transverse);
-    told(Kind::precession_sense, {Scalar(direct ? 1 : -1), Scalar(0), Scalar(0)});
-    return Result::of_text(direct ? "direct" : "retrograde");
+    require_one_of(f, {"spin_rate"});
+    return number(Kind::spin_rate, Scalar(dot(w, axis) * (transverse - axial) / transverse),
+                  dimensions::angular_velocity);
   }
 }
 

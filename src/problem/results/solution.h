@@ -99,6 +99,8 @@ struct SolvedClaim {
     // vanishes or has its sign.
     std::optional<poinsot::Formula> reduced;
     std::vector<Part> parts;  // the parts of the side that is a rate; they add up to it
+    std::string of;           // what is compared, as `a < b`
+    int component = -1;       // of vectors, from 0
   };
   std::vector<Comparison> comparisons;
   // What the assumptions make of the letters, in terms of positive letters p1, p2, ..., if there is a single case.

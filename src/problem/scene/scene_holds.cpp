@@ -95,6 +95,18 @@ void SceneFigure::add_symbols() {
     if (!contact.open && contact.touches())
       add_touching(contact.no_slip || contact.grip == Grip::sticks ? SymbolKind::rolling_contact : SymbolKind::contact,
                    contact, contact.normal);
+  // A floor or wall that is met later stands where it will be met.
+  for (const Contact& contact : situation_.contacts) {
+    if (!contact.open || !contact.touches() || machine_.index.at(contact.against) != ground) continue;
+    const Vector3<double> place = data_.place(contact.surface ? *contact.surface : contact.at);
+    scene::Symbol symbol;
+    symbol.kind = SymbolKind::contact;
+    symbol.name = contact.name;
+    symbol.from = symbol.to = scene::ground;
+    symbol.place = {scene::ground, place};
+    symbol.axis = data_.direction(contact.normal);
+    scene_.symbols.push_back(std::move(symbol));
+  }
   for (const Impact& impact : situation_.impacts) add_touching(SymbolKind::contact, impact, impact.pushes);
 }
 

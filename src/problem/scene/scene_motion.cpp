@@ -9,6 +9,7 @@
 #include "poinsot/engine/work/work.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/quantities/asks_model.h"
 #include "problem/scene/scene_wheels.h"
 
 namespace poinsot::problem {
@@ -286,7 +287,8 @@ class SceneMotion {
       for (const double time : motion_.times) {
         const Value<double> value = course_.value(time, expression, axes);
         if (!value.is_number() && !value.is_vector()) return;
-        const Unit& unit = figure_.tex().unit(value.dimension);
+        const Unit unit = asks_energy(expression) ? figure_.situation().habits.unit_for(value.dimension, true)
+                                                  : figure_.tex().unit(value.dimension);
         plot.unit = unit.text;
         plot.values.resize(value.is_number() ? 1 : 3);
         if (value.is_number()) {

@@ -209,6 +209,20 @@ bool is_link(const SceneFigure& figure, int body, const std::vector<Vector3<doub
   });
 }
 
+// Whether a pin slides in a slot of a body out of reach of its solid: a lever, which its arms show.
+bool has_slot_beyond(const SceneFigure& figure, int body, const scene::Shape& solid) {
+  const scene::Body& own = figure.scene().bodies[static_cast<std::size_t>(body)];
+  const Vector3<double> center = figure.on_ground({body, own.center});
+  return std::ranges::any_of(figure.scene().symbols, [&](const scene::Symbol& symbol) {
+    if (symbol.kind != scene::SymbolKind::slot || symbol.from != body) return false;
+    const Vector3<double> arm = transpose_times(own.pose.R, Vector3<double>(figure.on_ground(symbol.place) - center));
+    // Of the length of a cylinder along its axis nothing need be stated in a plane.
+    return std::ranges::all_of(solid.vertices, [&](const Vector3<double>& vertex) {
+      return dot(arm, vertex - own.center) < norm_squared(arm);
+    });
+  });
+}
+
 // Whether a body is held at its mass center, or about an axis through it.
 bool is_middle(const SceneFigure& figure, const scene::Symbol& symbol, int body) {
   const Vector3<double> center = figure.on_ground({body, figure.scene().bodies[static_cast<std::size_t>(body)].center});
@@ -334,8 +348,10 @@ std::optional<scene::Shape> stand_in(const SceneFigure& figure, int number, cons
   if (solid && only_slides(figure.scene(), number))
     return block(figure.scene().bodies[static_cast<std::size_t>(number)], mass, principal);
   if (solid)
-    if (std::optional<scene::Shape> shape = solid_of_revolution(figure.scene(), number, body, mass, principal))
+    if (std::optional<scene::Shape> shape = solid_of_revolution(figure.scene(), number, body, mass, principal)) {
+      if (has_slot_beyond(figure, number, *shape)) return std::nullopt;
       return shape;
+    }
   if (std::optional<scene::Shape> shape = cone_on_tip(figure, number, mass, principal, places)) return shape;
   if (body.inertia->rest_any)
     if (std::optional<scene::Shape> shape = wheel_through_points(figure, number)) return shape;

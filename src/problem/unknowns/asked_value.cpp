@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,14 +62,25 @@ class AskedTable {
     // the first, the last and some between are confirmed.
     constexpr std::size_t most_confirmed = 24;
     const std::size_t stride = 1 + rows.size() / most_confirmed;
+    std::exception_ptr first_failure;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (shows_over(table_)) add_cell(table_.over, Value<double>::of_number(rows[i], dimension_));
-      if (run == Run::datum)
-        add_row_over_datum(rows[i], sample_.writes_told() && (i % stride == 0 || i + 1 == rows.size()));
-      else
-        add_row_of_motion(run, rows[i]);
-      end_row(rows[i]);
+      const std::size_t before = values_.size();
+      try {
+        if (shows_over(table_)) add_cell(table_.over, Value<double>::of_number(rows[i], dimension_));
+        if (run == Run::datum)
+          add_row_over_datum(rows[i], sample_.writes_told() && (i % stride == 0 || i + 1 == rows.size()));
+        else
+          add_row_of_motion(run, rows[i]);
+        end_row();
+      } catch (const StatementError& error) {
+        if (!first_failure) first_failure = std::current_exception();
+        values_.resize(before);
+        row_names_.clear();
+        leave_out(rows[i], error.diagnostics().front());
+      }
     }
+    if (!names_ && first_failure) no_row_has_an_answer(first_failure, rows);
+    for (const auto& [reason, left_out] : left_out_) sample_.note_row(ask_.name, words_of_left_out(left_out, reason));
     Value<double> table = Value<double>::of_list(std::move(values_));
     if (names_) table.text = joined(*names_, "\n");
     return table;
@@ -147,29 +159,23 @@ class AskedTable {
              "narrow the range, or tell by where: which solution is meant");
       all = found.roots.front();
     }
-    const std::shared_ptr<const Statement> stated = in_states_at(all, row);
+    const std::shared_ptr<const Statement> stated = in_states_at(all);
     Sample there =
         stated ? Sample(stated, std::move(all), sample_.choice()) : Sample(statement, std::move(all), sample_.choice());
     if (confirm) there.write_down_what_is_told();
-    for (const NamedExpression& column : table_.columns) try {
-        add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
-      } catch (const NotHappeningError& error) {
-        const Diagnostic told = of_row(error, row);
-        throw NotHappeningError(told.file, told.mark, told.message, told.hint, error.until());
-      } catch (const UnansweredError& error) {
-        throw UnansweredError(of_row(error, row));
-      }
+    for (const NamedExpression& column : table_.columns)
+      add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
     note_unphysical(there, row);
     if (confirm &&
         !std::ranges::all_of(there.instants(), [](const auto& item) { return confirmed_by_all_roads(*item.second); }))
       sample_.note_unphysical_row(ask_.name, "independent checks do not confirm the row " + row_words(row));
     if (std::ranges::any_of(table_.columns, [](const auto& column) { return asks_stability(column.value); }))
-      confirm_stability(there, row);
+      confirm_stability(there);
   }
 
   // The statement with its contacts with friction in the states in which they are at these values; none if no contact
   // has friction.
-  std::shared_ptr<const Statement> in_states_at(const AllSettings& all, double row) const {
+  std::shared_ptr<const Statement> in_states_at(const AllSettings& all) const {
     const Statement& statement = sample_.statement();
     if (std::ranges::none_of(statement.situations, &Situation::has_friction)) return nullptr;
     auto found = std::make_shared<Statement>(statement);
@@ -180,11 +186,10 @@ class AskedTable {
       const HeldStates held = states_that_hold(with_states_open(situation), i, all[i], false);
       if (!held.doubts.empty() || held.all.size() != 1)
         throw UnansweredError(situation.file, ask_.mark,
-                              !held.doubts.empty() ? "which states of the contacts hold in the row " + row_words(row) +
-                                                         " is not known: " + held.doubts.front()
-                              : held.all.empty()
-                                  ? "no state of the contacts with friction holds in the row " + row_words(row)
-                                  : "several states of the contacts with friction hold in the row " + row_words(row),
+                              !held.doubts.empty()
+                                  ? "which states of the contacts hold is not known: " + held.doubts.front()
+                              : held.all.empty() ? "no state of the contacts with friction holds"
+                                                 : "several states of the contacts with friction hold",
                               "narrow the range");
       put_in_states(situation, i, held.all.front());
     }
@@ -216,31 +221,59 @@ class AskedTable {
   }
 
   // Each row has the columns of the first.
-  void end_row(double row) {
+  void end_row() {
     const std::vector<std::string> names = std::exchange(row_names_, {});
     if (!names_) names_ = names;
     if (names == *names_) return;
-    throw UnansweredError(situation_.file, ask_.mark,
-                          "a list has more or fewer items in the row " + row_words(row) + " than in the first",
+    throw UnansweredError(situation_.file, ask_.mark, "a list has more or fewer items than in the first row",
                           "ask for one of them, as in frequencies(disk)[1], or narrow the range");
   }
 
   // What is told of the motion near a steady one has its second road in every row.
-  void confirm_stability(const Sample& there, double row) {
+  void confirm_stability(const Sample& there) {
     for (const auto& [home, solved] : there.instants()) {
       const double misfit = solved->check().stability.value_or(0);
       if (!(misfit > solve::spectrum_tolerance)) continue;
       throw UnansweredError(situation_.file, ask_.mark,
-                            "the motion of its bodies, each by itself, does not confirm the row " + row_words(row) +
-                                " (rates off by " + with_digits(misfit, 2) + " of the pace)");
+                            "the motion of its bodies, each by itself, does not confirm it (rates off by " +
+                                with_digits(misfit, 2) + " of the pace)");
     }
   }
-  // Why a row has no answer, with the row.
-  Diagnostic of_row(const UnansweredError& error, double row) const {
-    Diagnostic told = error.diagnostics().front();
-    told.message = "in the row " + row_words(row) + ": " + told.message;
-    told.hint = "let the table run over values that have an answer" + (told.hint.empty() ? "" : ", or " + told.hint);
-    return told;
+  // Rows without an answer are left out, and the others stand.
+  void leave_out(double row, const Diagnostic& why) {
+    const auto known = std::ranges::find(left_out_, why.message, &LeftOut::first);
+    if (known != left_out_.end())
+      known->second.push_back(row);
+    else
+      left_out_.emplace_back(why.message, std::vector<double>{row});
+  }
+  // What is wrong with the question itself, as a column that is no number, is so in every row.
+  [[noreturn]] void no_row_has_an_answer(const std::exception_ptr& first, const std::vector<double>& rows) const {
+    const auto with_row = [&](const UnansweredError& error) {
+      Diagnostic told = error.diagnostics().front();
+      const bool alike = left_out_.size() == 1 && rows.size() > 1;
+      told.message = (alike ? "in every row: " : "in the row " + row_words(rows.front()) + ": ") + told.message;
+      if (told.hint.empty()) told.hint = "let the table run over values that have an answer";
+      return told;
+    };
+    try {
+      std::rethrow_exception(first);
+    } catch (const NotHappeningError& error) {
+      const Diagnostic told = with_row(error);
+      throw NotHappeningError(told.file, told.mark, told.message, told.hint, error.until());
+    } catch (const UnansweredError& error) {
+      throw UnansweredError(with_row(error));
+    }
+  }
+  std::string words_of_left_out(const std::vector<double>& rows, const std::string& reason) const {
+    constexpr std::size_t most_named = 4;
+    std::vector<std::string> named;
+    for (const double row : rows)
+      if (named.size() < most_named) named.push_back(row_words(row));
+    const std::size_t more = rows.size() - named.size();
+    if (more > 0) named.push_back(std::to_string(more) + " more");
+    return (rows.size() == 1 ? "the row " : "the rows ") + listed(named) + (rows.size() == 1 ? " has" : " have") +
+           " no answer and " + (rows.size() == 1 ? "is" : "are") + " left out: " + reason;
   }
   std::string row_words(double row) const {
     const Unit unit = situation_.habits.unit_for(dimension_);
@@ -266,6 +299,8 @@ class AskedTable {
   std::vector<Value<double>> values_;       // row by row
   std::vector<std::string> row_names_;      // of those in the row that is not ended
   std::optional<std::vector<std::string>> names_;
+  using LeftOut = std::pair<std::string, std::vector<double>>;
+  std::vector<LeftOut> left_out_;  // rows, by the reason
 };
 
 }  // namespace

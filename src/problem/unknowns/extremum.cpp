@@ -16,10 +16,6 @@ namespace {
 constexpr double boundless = std::numeric_limits<double>::infinity();
 // Of the scale of the datum: a value below this counts as vanishing, since bisection towards zero would never end.
 constexpr double nothing = 1e-6;
-// Of the end: it is known if the conditions are decided within this. Answers are shown to six digits, so that ten times
-// more would be seen in them; linearised equations decide to some 1e-7.
-constexpr double unseen = 2e-6;
-
 // From a value inside to one at which it is doubtful, and so much farther on what is asked fails: not as far again, or
 // the place between both would be the doubtful one.
 constexpr double past_the_end = 0.7;
@@ -262,48 +258,6 @@ std::string ExtremumSearch::in_unit(double value) const {
   return with_digits(value / unit.factor, 8) + (unit.text.empty() || unit.text == "1" ? "" : " " + unit.text);
 }
 
-// Explains an end beyond which the conditions do not clearly fail.
-std::string ExtremumSearch::told_beyond(double inside, double outside) {
-  const Truth beyond = truth_at(outside);
-  const std::string here = in_unit(inside);
-  if (beyond == Truth::refused)
-    return "what is stated ends at " + here + ", not what is asked: beyond, " + refusal_->diagnostics().front().message;
-  if (beyond != Truth::doubtful) return "";
-  constexpr int doublings = 18;  // to half of it
-  for (int i = 0; i <= doublings; ++i) {
-    const double part = std::ldexp(unseen, i);
-    const double further = inside + (outside > inside ? 1 : -1) * part * std::abs(inside);
-    const Truth there = truth_at(further);
-    if (there != Truth::fails && there != Truth::refused) continue;
-    if (i == 0) return "";
-    return "from " + in_unit(inside) + " to " + in_unit(further) + " the linearised equations do not decide";
-  }
-  return "beyond " + here + " the linearised equations do not decide";
-}
-
-double ExtremumSearch::border(double inside, double outside) {
-  while (std::abs(outside - inside) > 1e-9 * std::abs(inside)) {
-    const double middle = 0.5 * (inside + outside);
-    if (middle == inside || middle == outside) break;
-    (holds(middle) ? inside : outside) = middle;
-  }
-  return inside;
-}
-
-std::string ExtremumSearch::told_before(const std::vector<double>& nearer) {
-  std::size_t failing = 0;
-  for (std::size_t i = nearer.size() - 1; i-- > 0;) {
-    const Truth there = truth_at(nearer[i]);
-    if (there == Truth::fails) failing = std::max(failing, i);
-    if (there != Truth::holds || failing == 0) continue;
-    const bool rising = ask_.extremum->largest;
-    const double end = border(nearer[i], nearer[i + 1]), again = border(nearer[failing + 1], nearer[failing]);
-    return "between " + in_unit(end) + " and " + in_unit(again) + " it does not hold: from " +
-           (rising ? "smaller values it holds up to " : "larger values it holds down to ") + in_unit(end);
-  }
-  return "";
-}
-
 bool ExtremumSearch::is_at(double value) {
   const double side = ask_.extremum->largest ? 1 : -1;
   const Span range = span();
@@ -318,22 +272,27 @@ ExtremumFound ExtremumSearch::find() {
   ExtremumFound found = found_end();
   if (found.value && found.note.empty() && sticks_beyond(found.value->number))
     return {{}, "the laws of friction do not confirm that it ends at " + in_unit(found.value->number), {}, {}};
-  if (!unconfirmed_ && found.value && !choice_.trial) {
-    const double value = found.value->number, side = ask_.extremum->largest ? 1 : -1;
-    for (const NamedExpression& item : situation_.given) {
-      if (item.name != ask_.extremum->name) continue;
-      DataScope<double> data(situation_, settings_[situation_of(statement_, ask_)]);
-      const double stated = data.value(item.value).number;
-      if (!(side * (value - stated) > 0)) continue;
-      constexpr int count = 24;
-      std::vector<double> nearer;
-      for (int i = 0; i <= count; ++i) nearer.push_back(i == count ? value : stated + i * (value - stated) / count);
-      if (const std::string before = told_before(nearer); !before.empty())
-        found.note += (found.note.empty() ? "" : "; ") + before;
+  if (const double end = found.value ? found.value->number : holds_to_;
+      !unconfirmed_ && (found.value || holds_to_ != 0)) {
+    const Nearer nearer = look_nearer(end);
+    if (found.value && !nearer.by_intervals.empty()) return {{}, nearer.by_intervals, {}, {}};
+    if (!nearer.note.empty()) {
+      std::string& told = found.value ? found.note : found.reason;
+      told += (told.empty() ? "" : "; ") + nearer.note;
     }
   }
   if (!unconfirmed_) return found;
   return {{}, "the bodies as particles do not confirm its conditions where they were tried", {}, {}};
+}
+
+// No end: it holds as far as values were tried, or as the equations tell.
+ExtremumFound ExtremumSearch::no_end_up_to(double value, bool tried) {
+  holds_to_ = value;
+  return {{},
+          std::string("no ") + (ask_.extremum->largest ? "largest" : "smallest") + " value was found: it holds up to " +
+              in_unit(value) + "; beyond, " + (tried ? "no values were tried" : "nothing can be told"),
+          {},
+          {}};
 }
 
 ExtremumFound ExtremumSearch::found_end() {
@@ -363,6 +322,7 @@ ExtremumFound ExtremumSearch::found_end() {
   // Where nothing in the problem gives the datum a size, its unit is a guess: the end may lie many decades farther out.
   // With the three of the grid that is more than lies between any two units of one quantity.
   constexpr int more_decades = 15;
+  const double by_units = grid.back();
   for (int i = 0; i < more_decades && !std::isfinite(side > 0 ? range.upper : range.lower) && holds(grid.back()); ++i)
     grid.push_back(10 * grid.back());
   ExtremumFound found;
@@ -402,12 +362,7 @@ ExtremumFound ExtremumSearch::found_end() {
       beyond = truth_at(outside);
     }
     // So far out what is doubtful or makes no sense may be so by rounding alone.
-    if (beyond != Truth::fails) {
-      found.reason = "no " + what + " was found: it holds at every value tried, up to " +
-                     in_unit(beyond == Truth::holds ? outside : inside) + "; beyond, " +
-                     (beyond == Truth::holds ? "no values were tried" : "nothing can be told");
-      return found;
-    }
+    if (beyond != Truth::fails) return no_end_up_to(beyond == Truth::holds ? outside : inside, beyond == Truth::holds);
   } else if (at == grid.rbegin() && situation_.has_friction() && !is_pure(dimension_) && *at == 0) {
     // A load that is asked for may well turn round; a coefficient of friction cannot.
     found.reason = "there is no " + what +
@@ -460,6 +415,10 @@ ExtremumFound ExtremumSearch::found_end() {
     found.note = "it holds at zero alone, as far as forces are told apart";
     return found;
   }
+  // Beyond any unit that would be chosen rates of motions are so unlike that rounding hides which of them vanish.
+  if (open_end && std::abs(inside) > std::abs(by_units) && truth_at(outside) == Truth::doubtful &&
+      !told_beyond(inside, outside).empty())
+    return no_end_up_to(inside, false);
   if (const std::optional<double> end = sticking_ends(inside, outside)) inside = *end;
   found.note = told_beyond(inside, outside);
   found.value = Value<double>::of_number(inside, dimension_);

@@ -31,6 +31,7 @@ class ExtremumSearch {
 
  private:
   ExtremumFound found_end();
+  ExtremumFound no_end_up_to(double value, bool tried);
   bool sticks_beyond(double end);
   void confirm(double value, const Sample& sample);
   struct Span {
@@ -47,9 +48,13 @@ class ExtremumSearch {
   std::string told_beyond(double inside, double outside);
   // A value of the datum in the unit of the answer.
   std::string in_unit(double value) const;
-  // Explains that the conditions also end nearer than at the value told: they fail at some of the values on this side
-  // of it, and hold again nearer still. nearer: values from the nearest to the value told, at which they hold.
-  std::string told_before(const std::vector<double>& nearer);
+  // What lies nearer than an end: a note, and why it is no end where the conditions hold by intervals beyond it too.
+  struct Nearer {
+    std::string note{}, by_intervals{};
+  };
+  Nearer look_nearer(double end);
+  // A value beyond an end at which they hold once more, as far as the gap before it is wide.
+  std::optional<double> holds_again(double end, double gap);
   double border(double inside, double outside);
   // The settings of all situations at a value, one for each root of the other unknowns of a statement.
   std::vector<AllSettings> settings_at(double value, const Statement& statement) const;
@@ -91,7 +96,8 @@ class ExtremumSearch {
   const Expression* failed_ = nullptr;  // the condition that failed at it
   // Beside unknowns, the combinations of states, those first that held last.
   std::vector<std::shared_ptr<const Statement>> combinations_{};
-  bool ever_ = false;  // whether the conditions could be evaluated at any value
+  double holds_to_ = 0;  // where no end was found: how far it was seen to hold
+  bool ever_ = false;    // whether the conditions could be evaluated at any value
 };
 
 }  // namespace poinsot::problem

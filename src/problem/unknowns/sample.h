@@ -1,6 +1,7 @@
 // The instants of a statement, solved for one choice of what it leaves open.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -94,6 +95,12 @@ class Sample {
   void note_unphysical_row(const std::string& ask, std::string reason) {
     unphysical_rows_.emplace(ask, std::move(reason));
   }
+  // By ask: which rows of its table are left out, and why.
+  const std::map<std::string, std::vector<std::string>>& rows_left_out() const { return rows_left_out_; }
+  void note_row(const std::string& ask, std::string words) {
+    std::vector<std::string>& known = rows_left_out_[ask];
+    if (std::find(known.begin(), known.end(), words) == known.end()) known.push_back(std::move(words));
+  }
 
  private:
   // The names are those without the situation's own; `known` receives what the situation has.
@@ -112,6 +119,7 @@ class Sample {
   std::map<Home, std::unique_ptr<SolvedInstant>> instants_;
   std::map<std::size_t, std::unique_ptr<Course>> motions_;
   std::map<std::string, std::string> unphysical_rows_;
+  std::map<std::string, std::vector<std::string>> rows_left_out_;
   bool writes_told_ = false;
 };
 

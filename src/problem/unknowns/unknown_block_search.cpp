@@ -73,14 +73,15 @@ std::vector<std::vector<double>> each_pose_once(UnknownEquations& equations,
   return kept;
 }
 
+std::string value_in_words(const UnknownSlot& slot, double x) {
+  const Unit& unit = slot.unknown.unit;
+  return slot.unknown.name + (slot.unknown.vector ? std::string(".") + "xyz"[slot.component] : "") + " = " +
+         with_digits(x / unit.factor, 4) + (unit.text.empty() ? "" : " " + unit.text);
+}
+
 std::string values_in_words(const std::vector<UnknownSlot>& slots, const std::vector<double>& x) {
   std::string words;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const Unit& unit = slots[k].unknown.unit;
-    words += (words.empty() ? "" : ", ") + slots[k].unknown.name +
-             (slots[k].unknown.vector ? std::string(".") + "xyz"[slots[k].component] : "") + " = " +
-             with_digits(x[k] / unit.factor, 4) + (unit.text.empty() ? "" : " " + unit.text);
-  }
+  for (std::size_t k = 0; k < x.size(); ++k) words += (words.empty() ? "" : ", ") + value_in_words(slots[k], x[k]);
   return words;
 }
 
@@ -110,6 +111,19 @@ Searched searched_roots(const solve::RootProblem& problem, Work most, Confirmed 
   roots.search = solve::RootSearch::many_starts;
   roots.starts = scan->places;
   return searched;
+}
+
+// Which values of a root rounding leaves few digits; "" where all are known well.
+std::string blur_in_words(const std::vector<UnknownSlot>& slots, const std::vector<double>& point,
+                          const std::vector<double>& blur) {
+  std::string words;
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    constexpr double shown = 1e-6;  // of its value: six digits
+    if (!(blur[k] > shown)) continue;
+    const std::string off = blur[k] < 1 ? with_digits(blur[k], 1) + " of itself" : "its own size";
+    words += (words.empty() ? "" : ", ") + value_in_words(slots[k], point[k]) + " may be off by up to " + off;
+  }
+  return words.empty() ? words : words + ": it is so small beside the other terms that rounding leaves it fewer digits";
 }
 
 // Whether one of the points is the same but for signs.
@@ -187,6 +201,10 @@ RootsFound UnknownSearch::find_block(UnknownEquations& equations, bool explained
       if (again) continue;
       AllSettings root = equations.settings_at(point);
       if (satisfies_where(statement_, system.situations(), root, sought)) {
+        if (confirming_ && explained && !problem.costly && !roots.open)
+          if (const std::string words = blur_in_words(slots, point, solve::blur_of_root(problem, point, limit_.left()));
+              !words.empty())
+            add_once(found.warnings, words);
         found.roots.push_back(std::move(root));
         kept.push_back(std::move(point));
       } else {
@@ -298,7 +316,8 @@ std::optional<std::vector<double>> UnknownSearch::root_below_zero(UnknownEquatio
   const solve::Roots roots = solve::find_roots(either, most);
   if (roots.open) return std::nullopt;
   for (const std::vector<double>& point : roots.points)
-    if (satisfies_where(statement_, equations.system().situations(), equations.settings_at(point), sought))
+    if (std::ranges::any_of(point, [](double value) { return value < 0; }) &&
+        satisfies_where(statement_, equations.system().situations(), equations.settings_at(point), sought))
       return point;
   return std::nullopt;
 }

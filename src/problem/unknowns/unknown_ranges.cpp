@@ -82,10 +82,11 @@ bool is_coordinate(const Situation& situation, const std::string& name) {
          });
 }
 
-// Whether the name is a weight or a density of matter. Masses are told by their unit.
+// Whether the name is the mass, weight or density of something.
 bool is_amount(const Situation& situation, const std::string& name) {
   const auto states = [&](const Amount& amount) {
-    return is_bare(amount.weight, name) || is_bare(amount.density, name) || is_bare(amount.specific_weight, name);
+    return is_bare(amount.mass, name) || is_bare(amount.weight, name) || is_bare(amount.density, name) ||
+           is_bare(amount.specific_weight, name);
   };
   return std::ranges::any_of(situation.bodies, [&](const Body& body) {
     const auto any_of = [&](const std::vector<poinsot::problem::Part>& parts) {
@@ -134,7 +135,10 @@ bool is_amount_of_matter(const Situation& situation, const Unknown& unknown) {
 }
 
 bool is_never_negative(const Statement& statement, const Situation& situation, const Unknown& unknown) {
-  if (unknown.vector || unknown.either_sign) return false;
+  if (unknown.vector) return false;
+  // No body has a negative mass, whatever sign its unknown may have elsewhere.
+  if (is_amount(situation, unknown.name)) return true;
+  if (unknown.either_sign) return false;
   const Dimension& d = unknown.unit.dimension;
   if (d == dimensions::time) return true;
   if (d == dimensions::length) return is_extent(situation, unknown.name) || !is_coordinate(situation, unknown.name);

@@ -234,14 +234,39 @@ void UnknownSearch::leave_out_nonsense(RootsFound& found) const {
   if (found.alternative && objection(*found.alternative)) found.alternative.reset();
 }
 
+namespace {
+
+// Which of several solutions for some of the unknowns allows no others, in words.
+std::string beside_others(const UnknownSystem& system, const AllSettings& root) {
+  std::vector<std::string> values;
+  for (const Unknown& unknown : system.unknowns) {
+    const auto settings = std::ranges::find_if(root, [&](const Settings& one) { return one.contains(unknown.name); });
+    if (settings == root.end()) continue;
+    const auto value = settings->find(unknown.name);
+    if (!value->second.is_number()) continue;
+    values.push_back(unknown.name + " = " + with_digits(value->second.number / unknown.unit.factor, 4) +
+                     (unknown.unit.text.empty() ? "" : " " + unknown.unit.text));
+  }
+  return values.empty() ? "" : "; that is so with " + listed(values) + ", one of several values found before";
+}
+
+}  // namespace
+
 RootsFound UnknownSearch::find_by_blocks(const UnknownSystem& system, const AllSettings& settings) {
   RootsFound all;
   all.roots.push_back(settings);
   UnknownEquations equations = equations_of(system, settings);
   const std::vector<UnknownSystem> blocks = blocks_of(equations);
   if (blocks.size() == 1 && blocks.front() == system) return find_block(equations);
-  for (const UnknownSystem& block : blocks)
-    refine(all, [&](const AllSettings& root) { return find_block(block, root); });
+  for (const UnknownSystem& block : blocks) {
+    const bool several = all.roots.size() > 1;
+    refine(all, [&](const AllSettings& root) {
+      RootsFound found = find_block(block, root);
+      if (several && found.roots.empty())
+        for (std::string& warning : found.warnings) warning += beside_others(system, root);
+      return found;
+    });
+  }
   return all;
 }
 

@@ -310,5 +310,28 @@ TEST(Surfaces, a_large_post_is_hatched_along_its_rim_and_has_room_within) {
   }
 }
 
+TEST(Surfaces, a_floor_ends_at_the_wall_that_stands_on_it) {
+  scene::Scene scene = particle_on({0, 1, 0});
+  scene.bodies[0].pose.p = {-1, 1, 0};
+  scene.symbols.clear();
+  for (const Vector& normal : {Vector{0, 1, 0}, Vector{-1, 0, 0}})
+    scene.symbols.push_back({.kind = scene::SymbolKind::contact, .name = "corner", .place = {}, .axis = normal});
+  const Drawing drawing = figure(scene, model, "", {.view = view_from({0, 0, 1}, {0, 1, 0})});
+  std::vector<Stroke> lines;
+  for (const Mark& mark : drawing.marks)
+    if (const auto* stroke = std::get_if<Stroke>(&mark);
+        stroke != nullptr && stroke->role == Role::symbol && stroke->width > 1.3)
+      lines.push_back(*stroke);
+  ASSERT_EQ(lines.size(), 2U);
+  // To the left and upwards of the corner, which both have in common.
+  Box floor, wall;
+  for (const Point2& point : lines[0].points) floor.include(point);
+  for (const Point2& point : lines[1].points) wall.include(point);
+  EXPECT_GT(floor.width(), 10);
+  EXPECT_GT(wall.height(), 10);
+  EXPECT_NEAR(floor.right, wall.left, 1e-9);
+  EXPECT_NEAR(floor.top, wall.bottom, 1e-9);
+}
+
 }  // namespace surfaces_test
 }  // namespace poinsot

@@ -94,5 +94,43 @@ TEST(AsksAlone, TheFirstTimeOfWhatHappensWithoutEnd) {
   EXPECT_LT(solved.notes().size(), 20U);
 }
 
+// A wall that is not reached at the letters that are drawn, beside when and where the block stops.
+TEST(AsksAlone, AnInstantThatDoesNotComeAtTheLettersDrawn) {
+  const SolvedText solved(
+      "title: t\nletters: {v: m/s, mu: 1, d: m, m: kg}\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: m}}\n"
+      "contacts: {floor: {of: b, at: O, normal: y, friction: mu}}\ngravity: -y\n"
+      "instants: {start: {velocity(b): [v, 0, 0]}, there: {first_time: position(b).x == d}, stops: {first_time: "
+      "sticking(floor)}}\nask: {t: time @ there, T: time @ stops, X: position(b).x @ stops}\n");
+  EXPECT_NE(solved.reason("t").find("does not happen up to"), std::string::npos) << solved.reason("t");
+  for (const char* name : {"T", "X"}) EXPECT_TRUE(solved.ask(name).formula) << name << solved.ask(name).no_formula;
+}
+
+TEST(AsksAlone, ARowInWhichTheStatementMakesNoSense) {
+  const std::string falls =
+      "title: t\ngiven: {h: 1 m}\npoints: {O: [0, 0, 0], H: [0, h, 0]}\nbodies: {b: {particle: H, mass: 1 kg}}\n"
+      "contacts: {floor: {of: b, at: H, surface: O, normal: y, open: true, restitution: 0.5}}\ngravity: -y\n"
+      "instants: {start: rest, lands: {first_time: touching(floor)}}\n";
+  for (const char* rows : {"[1 m, 0 m]", "[0 m, 1 m]"}) {
+    const SolvedText solved(falls + "ask: {one: time @ lands, all: {table: {t: time @ lands}, over: {h: " + rows +
+                            "}}}\n");
+    EXPECT_NEAR(solved.number("one"), std::sqrt(2 / 9.80665), 1e-9);
+    EXPECT_EQ(solved.column("all", 0).size(), 1U);
+  }
+  EXPECT_THROW(SolvedText(falls + "ask: {all: {table: {t: times @ lands}, over: {h: [1 m, 2 m]}}}\n"), StatementError);
+}
+
+TEST(AsksAlone, AnExtremumThatIsNotSoughtBesideFriction) {
+  const std::string pulled =
+      "title: t\ngiven: {F: 5 N, mu: 0.3, m: 2 kg}\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: m}}\n"
+      "contacts: {floor: {of: b, at: O, normal: y, friction: mu}}\nloads: {pull: {force: '[F, 0, 0]', body: b}}\n"
+      "gravity: -y\ninstants: {start: rest}\n";
+  const std::string least = "least: {smallest: F, while: 'position(b).x @ 10 s > 1e-9 m'}";
+  const SolvedText solved(pulled + "ask: {s: sticking(floor), " + least + ", x: position(b).x @ 10 s}\n");
+  EXPECT_TRUE(solved.found("s").value.truth);
+  EXPECT_EQ(solved.number("x"), 0);
+  EXPECT_EQ(solved.reason("least").find("extrema are not sought where contacts have friction"), 0U);
+  EXPECT_THROW(SolvedText(pulled + "ask: {" + least + "}\n"), StatementError);
+}
+
 }  // namespace asks_alone_test
 }  // namespace poinsot::problem

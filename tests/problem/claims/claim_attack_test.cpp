@@ -116,5 +116,24 @@ TEST(ClaimAttack, narrow_valleys_are_followed) {
   }
 }
 
+// What fails only near one ratio of two letters is told where it fails clearly, and not where it begins to, which is no
+// number that could be shown.
+TEST(ClaimAttack, what_fails_narrowly_is_told_where_it_fails_clearly) {
+  const Statement statement = read_statement(R"(letters: {a: m, b: m, m: kg}
+points: {O: [0, 0, 0], A: [a, 0, 0]}
+bodies: {p: {particle: A, mass: m}}
+gravity: none
+claim: {narrow: (center(p).x - 12345*b)^2 > 1e-6*b^2}
+)",
+                                             "narrow.yaml");
+  const SolvedClaim claim = solve_statement(statement, {}).solutions.at(0).claims.at(0);
+  ASSERT_EQ(claim.state, AskState::found) << claim.reason;
+  EXPECT_FALSE(claim.holds);
+  ASSERT_TRUE(claim.sides);
+  EXPECT_LT(claim.sides->first, claim.sides->second);
+  const std::map<std::string, double> at = numbers_of(claim);
+  EXPECT_LT(std::pow(at.at("a") - 12345 * at.at("b"), 2), 0.5e-6 * at.at("b") * at.at("b"));
+}
+
 }  // namespace claim_attack_test
 }  // namespace poinsot::problem

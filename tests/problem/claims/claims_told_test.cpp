@@ -202,5 +202,26 @@ claim:
   EXPECT_FALSE(solution.claims[1].holds);
 }
 
+// A chimney of length L that falls breaks at L/3, where what bends it is largest: m g sin(b) s (L - s)^2/(4 L^2).
+TEST(ClaimsTold, DerivativesByALetterAreToldAtItsValuesIfTheyHoldForAll) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {m: kg, L: m, s: m, b: rad}\nassume: [s < L, 0 < b < 90 deg]\n"
+      "points: {O: [0, 0, 0], P: 's*[sin(b), cos(b), 0]', T: 'L*[sin(b), cos(b), 0]'}\n"
+      "bodies: {low: {rod: [O, P], mass: m*s/L}, up: {rod: [P, T], mass: m*(L - s)/L}}\n"
+      "joints: {foot: {revolute: z, at: O, to: low}, joint: {weld: P, from: low, to: up}}\ngravity: -y\n"
+      "instants: {now: rest}\ndefine: {M: couple(joint on up about P).z}\nclaim:\n"
+      "  slope: derivative(M by s) == -m*g*sin(b)*(L - s)*(L - 3*s)/(4*L^2)\n  falls: derivative(M by s) < 0\n",
+      "claims.yaml");
+  const auto claims = [&](const std::vector<std::pair<std::string, std::string>>& sets) {
+    return solve_statement(statement, sets).solutions.at(0).claims;
+  };
+  for (const SolvedClaim& claim : claims({})) EXPECT_EQ(claim.state, AskState::found) << claim.reason;
+  const std::vector<SolvedClaim> set = claims({{"m", "100 kg"}, {"L", "10 m"}, {"s", "4 m"}, {"b", "30 deg"}});
+  EXPECT_TRUE(set.at(0).state == AskState::found && set.at(0).holds) << set.at(0).reason;
+  // It fails for some letters, which says nothing of these.
+  EXPECT_NE(set.at(1).state, AskState::found);
+  EXPECT_NE(set.at(1).reason.find("leave them open"), std::string::npos) << set.at(1).reason;
+}
+
 }  // namespace claims_told_test
 }  // namespace poinsot::problem

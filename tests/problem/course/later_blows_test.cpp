@@ -31,6 +31,25 @@ TEST(LaterBlows, BounceWithTheRestitutionUntilTheyEnd) {
   }
 }
 
+// Down a smooth slope the motion across it is that on a floor with g cos b, and along it a fall with g sin b. Late
+// flights are next to nothing beside the way down: the contact is held before they drown in its rounding.
+TEST(LaterBlows, DownASlopeEndAsOnAFloor) {
+  for (const double e : {0.7, 0.8, 0.85, 0.9, 0.95})
+    for (const double degrees : {5, 30, 60, 80}) {
+      const double b = degrees * std::numbers::pi / 180, end = fall * (1 + e) / (1 - e);
+      const SolvedText solved("title: t\nplane: [x, y]\ngiven: {b: " + std::to_string(degrees) +
+                              " deg}\npoints: {C: [0, 1 m], O: [0, 0]}\ndirections: {out: [sin(b), cos(b)]}\n"
+                              "bodies: {ball: {particle: C, mass: 1 kg}}\ngravity: -y\n"
+                              "contacts: {slope: {of: ball, at: C, normal: out, open: true, surface: O, restitution: " +
+                              std::to_string(e) +
+                              "}}\ninstants: {start: rest}\n"
+                              "ask: {end: end_of_bouncing(slope), x: position(ball).x @ 20 s}\n");
+      EXPECT_NEAR(solved.number("end"), end, 1e-7 * end) << e << ", " << degrees;
+      const double x = (g * std::sin(b) * 200 - std::sin(b)) * std::cos(b);
+      EXPECT_NEAR(solved.number("x"), x, 1e-8 * x) << e << ", " << degrees;
+    }
+}
+
 // At the instant of a blow what was just before it is told, whatever way the time of the blow is rounded.
 TEST(LaterBlows, AreNotOverAtTheirInstant) {
   for (int n = 1; n <= 24; ++n) {
@@ -59,6 +78,66 @@ TEST(LaterBlows, OnAPendulumAtItsLowestPlaceNeverEnd) {
   EXPECT_NEAR(solved.number("most"), angle, 1e-9);
   EXPECT_NEAR(solved.number("fastest"), -speed, 1e-8);
   EXPECT_NEAR(solved.number("back"), speed / 2, 1e-8);
+}
+
+// A bob on a string of no mass reaches the wall just at its lowest place, where nothing pushes it back to it: it comes
+// back by itself all the same, and is followed until nothing is to be seen of it.
+TEST(LaterBlows, AtALowestPlaceEndWhereNothingIsToBeSeen) {
+  const SolvedText solved(
+      "title: t\nplane: [x, y]\npoints: {O: [0, 0], P: [0, -1 m]}\nbodies: {bob: {particle: P, mass: 1 kg}}\n"
+      "joints: {pin: {revolute: z, at: O, to: bob, angle: q}}\n"
+      "contacts: {wall: {of: bob, at: P, normal: x, open: true, restitution: 0.6}}\ngravity: -y\n"
+      "instants: {start: {q: 40 deg, q': 0}}\nask: {most: max(q), late: q @ 100 s}\n");
+  EXPECT_NEAR(solved.number("most"), 40 * std::numbers::pi / 180, 1e-9);
+  EXPECT_NEAR(solved.number("late"), 0, 1e-7);
+}
+
+// What leaves next to nothing slowly still leaves where nothing presses it back.
+TEST(LaterBlows, LeaveWhatNothingPressesBackFlying) {
+  const std::string ball =
+      "title: t\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\ngravity: none\n"
+      "instants: {start: {velocity(b): [1 m/s, 0, 0]}}\n";
+  const SolvedText one(
+      ball +
+      "contacts: {w: {of: b, at: O, surface: [1 m, 0, 0], normal: -x, open: true, restitution: 1e-9}}\n"
+      "ask: {x: position(b).x @ 1e6 s, v: velocity(b).x @ 3 s}\n");
+  EXPECT_NEAR(one.number("x"), 1 - 1e-9 * (1e6 - 1), 1e-12);
+  EXPECT_NEAR(one.number("v"), -1e-9, 1e-18);
+  // Between two walls it takes twice as long each time: from one to the other 2^k s after the k-th blow.
+  const SolvedText two(
+      ball +
+      "contacts:\n  w: {of: b, at: O, surface: [1 m, 0, 0], normal: -x, open: true, restitution: 0.5}\n"
+      "  o: {of: b, at: O, surface: [0, 0, 0], normal: x, open: true, restitution: 0.5}\n"
+      "ask: {v: velocity(b).x @ 1000 s}\n");
+  EXPECT_NEAR(two.number("v"), -std::ldexp(1, -9), 1e-12);
+}
+
+// With friction: 0 what a blow presses is smooth, whether it slides or rests, as it is without the key.
+TEST(LaterBlows, PressWhatHasNoFriction) {
+  for (const std::string friction : {"", ", friction: 0"}) {
+    const SolvedText crate(
+        "title: t\nplane: [x, y]\ngiven: {s: 0.4 m, v: 2.2 m/s}\n"
+        "points: {A: [0, 0], B: [-s, 0], G: [-s/2, s/2]}\n"
+        "bodies: {cube: {rectangle: {center: G, sides: [[s, 0], [0, s]]}, mass: 5 kg}}\n"
+        "contacts: {front: {of: cube, corner: A, normal: y" +
+        friction + "}, rear: {of: cube, corner: B, normal: y" + friction +
+        "}, curb: {of: cube, corner: A, normal: -x, open: true, surface: '[1 m, 0]'}}\ngravity: -y\n"
+        "instants: {start: {velocity(cube): [v, 0], angular_velocity(cube): 0}}\n"
+        "ask: {w: angular_velocity(cube) @ 0.454546 s}\n");
+    EXPECT_NEAR(crate.found("w").value.number, -3 * 2.2 / (4 * 0.4), 2e-4) << friction;
+    const SolvedText block(
+        "title: t\nplane: [x, y]\n"
+        "points: {O: [0, 0], P: [-1 m, 1 m], B: [0, -0.1 m], S: '[-0.1 m/sqrt(2), 0.1 m/sqrt(2)]'}\n"
+        "directions: {n: [-1, 1]}\n"
+        "bodies: {ball: {particle: P, mass: 1 kg}, block: {disk: {center: O, normal: z, radius: 0.1 m}, mass: 1 kg}}\n"
+        "contacts: {floor: {of: block, at: B, normal: y" +
+        friction +
+        "}, hit: {of: ball, against: block, at: P, normal: n, surface: S, open: true, restitution: 0}}\n"
+        "loads: {down: {force: [0, -1 N], at: O, body: block}}\ngravity: none\n"
+        "instants: {start: {velocity(ball): [1 m/s, -1 m/s], velocity(block): 0, angular_velocity(block): 0}}\n"
+        "ask: {v: velocity(block).x @ 1 s}\n");
+    EXPECT_NEAR(block.number("v"), 2.0 / 3, 1e-9) << friction;
+  }
 }
 
 TEST(LaterBlows, ExtremesOfWhatComesToRest) {

@@ -196,5 +196,25 @@ TEST(NarrowEvents, ANumberThatIsRoundingIsNoBracket) {
   EXPECT_FALSE(solved.reason("b").empty());
 }
 
+// A speck that falls from a nanometer, in a file without another length: sqrt(2 h/g), and three times that until it
+// rests.
+TEST(NarrowEvents, ASpeckLandsToAllItsDigits) {
+  for (const double h : {1e-9, 1e-7, 1e-3}) {
+    const SolvedText solved(
+        fmt::format("title: t\ngiven: {{h: {} m}}\npoints: {{O: [0, 0, 0], H: [0, h, 0]}}\n"
+                    "bodies: {{b: {{particle: H, mass: 1e-12 kg}}}}\n"
+                    "contacts: {{floor: {{of: b, at: H, surface: O, normal: y, open: true, restitution: 0.5}}}}\n"
+                    "gravity: -y\ninstants: {{start: rest, lands: {{first_time: touching(floor)}}}}\n"
+                    "ask: {{t: time @ lands, ends: end_of_bouncing(floor), E: kinetic_energy(b) @ lands}}\n",
+                    h));
+    const double falls = std::sqrt(2 * h / 9.80665);
+    // The last digits of the natural length, a meter, are no gap.
+    const double known = std::max(1e-8, 3e-16 / h);
+    EXPECT_NEAR(solved.number("t") / falls, 1, known) << h;
+    EXPECT_NEAR(solved.number("ends") / (3 * falls), 1, 1e-6) << h;
+    EXPECT_NEAR(solved.number("E") / (1e-12 * 9.80665 * h), 1, known) << h;
+  }
+}
+
 }  // namespace narrow_events_test
 }  // namespace poinsot::problem

@@ -99,5 +99,31 @@ TEST(SensitiveClosedForms, APendulumJustReachesItsHighestPlace) {
   }
 }
 
+// That it stands upside down at some time is rounding, too; a degree below it is not.
+TEST(SensitiveClosedForms, APendulumThatJustReachesItsHighestPlaceIsNeverSeenThere) {
+  const SolvedText solved(
+      "title: t\ngiven: {L: 0.8 m, w: sqrt(4*9.80665 m/s^2/L)}\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\n"
+      "bodies: {bob: {particle: P, mass: 1 kg}}\njoints: {pin: {revolute: z, at: O, to: bob, angle: theta}}\n"
+      "gravity: -y\ninstants: {start: {theta: 0, theta': w}, above: {first_time: theta == 180 deg}}\n"
+      "ask: {up: {first_time: theta == 180 deg}, rate: theta' @ above, near: "
+      "{first_time: theta == 179 deg}}\n");
+  // theta = 2 atan(sinh(t sqrt(g/L)))
+  EXPECT_NEAR(solved.number("near"), std::sqrt(0.8 / 9.80665) * std::asinh(std::tan(89.5 * std::acos(-1) / 180)), 1e-6);
+  for (const char* name : {"up", "rate"})
+    EXPECT_NE(solved.reason(name).find("sensitive"), std::string::npos) << solved.reason(name);
+}
+
+// Nor that it stops.
+TEST(SensitiveClosedForms, APendulumThatJustReachesItsHighestPlaceIsNeverSeenToStop) {
+  for (const char* length : {"0.5 m", "0.8 m", "1 m", "1.3 m", "2 m"}) {
+    const SolvedText solved(
+        std::string("title: t\ngiven: {L: ") + length +
+        "}\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\nbodies: {bob: {particle: P, mass: 1 kg}}\n"
+        "joints: {pin: {revolute: z, at: O, to: bob, angle: q}}\ngravity: -y\n"
+        "instants: {start: {q: 0, q': 2*sqrt(9.80665 m/s^2/L)}}\nask: {stops: {first_time: q' == 0 rad/s}, w: q'}\n");
+    EXPECT_NE(solved.ask("stops").state, AskState::found) << length;
+  }
+}
+
 }  // namespace sensitive_closed_forms_test
 }  // namespace poinsot::problem

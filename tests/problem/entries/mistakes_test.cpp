@@ -27,6 +27,30 @@ struct Mistake {
 
 const std::vector<Mistake>& mistakes() {
   static const std::vector<Mistake> list{
+      {"WhenBesideLargest",
+       R"(title: t
+given: {v: 1 m/s}
+points: {O: [0, 0, 0]}
+bodies: {b: {particle: O, mass: 1 kg}}
+gravity: -y
+instants: {start: {velocity(b): [0, v, 0]}}
+ask: {a: {largest: v, when: velocity(b).y < 5 m/s}}
+)",
+       "test.yaml:7:23: error: unknown key 'when' in an ask (what is to hold up to there stands under 'while:')",
+       {}},
+      {"AWordCompared",
+       R"(title: t
+letters: {I: kg*m^2, J: kg*m^2, p: rad/s}
+points: {G: [0, 0, 0]}
+bodies: {sat: {mass: 1 kg, center: G, inertia: {axis: z, axial: I, transverse: J}}}
+gravity: none
+facts: {angular_velocity(sat): [p, 0, p]}
+claim: {s: precession_sense(sat) == retrograde}
+)",
+       "test.yaml:7:12: error: precession_sense() is told in words, and words are not compared (ask for it by itself, "
+       "or "
+       "compare numbers, as in spin_rate(B) < 0 rad/s)",
+       {}},
       {"UnknownKey",
        R"(title: t
 points: {O: [0, 0, 0], A: [0, 1 m, 0]}

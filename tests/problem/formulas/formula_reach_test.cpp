@@ -163,5 +163,77 @@ ask: {J: impulse(hit on q).x, lost: kinetic_energy(system) @ before}
   EXPECT_TRUE(head_on.assumptions.empty());
 }
 
+// Where the leading coefficient of a quadratic vanishes there still is a root, but its formula is 0/0: the precessions
+// of a top with J = I.
+TEST(FormulaReach, what_must_not_vanish_is_told) {
+  const SolvedStatement top = solve_statement(read_statement(R"(
+letters: {m: kg, c: m, I: kg*m^2, J: kg*m^2, b: rad, s: rad/s}
+assume: [10 deg < b < 80 deg, J > I]
+find: {p: rad/s}
+points: {O: [0, 0, 0], G: 'c*[sin(b), 0, cos(b)]'}
+frames: {figure: {turns: z, rate: p}}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: O->G, axial: I, transverse: J}}}
+joints: {tip: {ball: O, to: top}}
+steady: {frame: figure, spins: {top: {about: O->G, rate: s}}}
+gravity: -z
+ask: {p: p}
+)",
+                                                             "test.yaml"),
+                                              {});
+  ASSERT_EQ(top.solutions.size(), 2U);
+  for (const Solution& one : top.solutions) {
+    ASSERT_TRUE(one.asks[0].formula);
+    for (const char* told : {"I - J != 0", "cos(b) != 0"})
+      EXPECT_EQ(std::ranges::count(one.assumptions, told), 1) << told;
+    EXPECT_EQ(std::ranges::count_if(one.assumptions, [](const std::string& words) { return words.ends_with("!= 0"); }),
+              2);
+  }
+}
+
+// A letter with a tiny factor matters where it is huge. A law without it only approximates, and where it passes the
+// tolerance is no bound of anything.
+TEST(FormulaReach, a_letter_with_a_tiny_factor_is_not_left_out) {
+  const Solution falls = solved(R"t(
+letters: {h: m, c: m, m: kg}
+points: {O: [0, 0, 0], H: '[0, h + 1e-9*c, 0]'}
+bodies: {b: {particle: H, mass: m}}
+contacts: {floor: {of: b, at: H, surface: O, normal: y, open: true}}
+gravity: -y
+instants: {start: rest, lands: {first_time: touching(floor)}}
+ask: {t: time @ lands}
+)t");
+  EXPECT_FALSE(falls.asks[0].formula);
+  EXPECT_EQ(std::ranges::count(falls.asks[0].letters, "c"), 1);
+  const Solution swings = solved(R"t(
+letters: {m: kg, L: m, k: N*m/rad}
+given: {b: 60 deg}
+points: {O: [0, 0, 0], P: [0, -L, 0]}
+bodies: {b: {particle: P, mass: m}}
+joints: {pin: {revolute: z, at: O, to: b, angle: q, spring: {stiffness: 1e-10*k}}}
+gravity: -y
+instants: {start: {q: b, q': 0}}
+ask: {v: max(q')}
+)t");
+  EXPECT_FALSE(swings.asks[0].formula);
+  EXPECT_EQ(std::ranges::count(swings.asks[0].letters, "k"), 1);
+}
+
+// The couple on the hub of a propeller is largest with the blades across up to W = 2 s, and from there on elsewhere:
+// its square is (W^2 - 2 s W)^2 larger there, which passes a millionth of it at 2.003 s.
+TEST(FormulaReach, a_bound_where_a_law_is_left_flatly_is_exact) {
+  const Solution solution = solved(R"t(
+letters: {m: kg, L: m, s: rad/s, W: rad/s}
+points: {G: [0, 0, 0], P: [0, 0, L/2], Q: [0, 0, -L/2]}
+frames: {plane: {turns: z, rate: W}}
+bodies: {prop: {rod: [Q, P], mass: m}}
+joints: {hub: {revolute: x, at: G, from: plane, to: prop, rate: s, accel: 0}}
+gravity: none
+ask: {big: max(norm(couple(hub on prop about G)))}
+)t");
+  ASSERT_TRUE(solution.asks[0].formula) << solution.asks[0].no_formula;
+  EXPECT_EQ(std::ranges::count(solution.assumptions, "2*s - W > 0 for 'big'"), 1)
+      << (solution.assumptions.empty() ? "" : solution.assumptions.back());
+}
+
 }  // namespace formula_reach_test
 }  // namespace poinsot::problem

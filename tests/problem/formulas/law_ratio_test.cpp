@@ -192,5 +192,31 @@ TEST(LawRatio, a_word_that_no_letter_changes_is_an_answer) {
   EXPECT_EQ(cylinder.state, AskState::needs_letters);
 }
 
+// Which way a body of revolution precesses depends on its moments alone, and not on which way it turns; what is assumed
+// of these decides it.
+TEST(LawRatio, a_word_that_no_letter_that_is_assumed_changes_is_an_answer) {
+  const auto sense_of = [](const std::string& assumed) {
+    return solve_statement(
+               read_statement(
+                   "letters: {I: kg*m^2, J: kg*m^2, w: rad/s, b: rad, L: m}\npoints: {G: [0, 0, 0]}\n" + assumed +
+                       "bodies: {craft: {mass: 3 kg, center: G, inertia: {axis: z, axial: I, transverse: J}}}\n"
+                       "instants: {now: {angular_velocity(craft): [w*sin(b), 0, w*cos(b)]}}\n"
+                       "gravity: none\nask: {sense: precession_sense(craft)}\n",
+                   "craft.yaml"),
+               {})
+        .solutions.at(0)
+        .asks.at(0);
+  };
+  const SolvedAsk slender = sense_of("assume: [I < J, 0 < b < 80 deg, L < 3 m]\n");
+  EXPECT_EQ(slender.state, AskState::found) << slender.no_formula;
+  EXPECT_EQ(slender.value.text, "direct");
+  const SolvedAsk flat = sense_of("assume: [I > J]\n");
+  EXPECT_EQ(flat.state, AskState::found) << flat.no_formula;
+  EXPECT_EQ(flat.value.text, "retrograde");
+  const SolvedAsk any = sense_of("assume: [0 < b < 80 deg]\n");
+  EXPECT_EQ(any.state, AskState::needs_letters);
+  EXPECT_EQ(any.no_formula, "it is not the same for all letters that are assumed");
+}
+
 }  // namespace law_ratio_test
 }  // namespace poinsot::problem

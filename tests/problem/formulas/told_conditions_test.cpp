@@ -178,5 +178,26 @@ ask: {b: b}
   EXPECT_EQ(wrong, 0u);
 }
 
+// The root in an angle of a throw, which hits what is not too far: v^2 > g d.
+TEST(ToldConditions, tell_roots_within_angles) {
+  const Solution solution = solve_statement(read_statement(R"(
+letters: {v: m/s, d: m}
+find: {b: rad, t: s}
+where: [0 < b < 90 deg]
+points: {O: [0, 0, 0]}
+bodies: {ball: {particle: O, mass: 1 kg}}
+gravity: -y
+instants: {start: {velocity(ball): '[v*cos(b), v*sin(b), 0]'}, t: {'position(ball).x': d, 'position(ball).y': 0 m}}
+ask: {b: b}
+)",
+                                                           "test.yaml"),
+                                            {})
+                                .solutions.at(0);
+  ASSERT_TRUE(solution.asks[0].formula);
+  std::string told;
+  for (const std::string& words : solution.assumptions) told += words + "\n";
+  EXPECT_NE(told.find("v^2 - 9.80665*d >= 0 for 'b'"), std::string::npos) << told;
+}
+
 }  // namespace told_conditions_test
 }  // namespace poinsot::problem

@@ -158,5 +158,27 @@ TEST(SceneHolds, an_impulse_that_has_no_symbol_of_its_own_is_a_force_with_its_ti
   for (const std::string& symbol : named) EXPECT_FALSE(symbol.ends_with("\\Delta t")) << symbol;
 }
 
+TEST(SceneHolds, a_wall_that_is_met_later_stands_where_it_will_be_met) {
+  const auto walls = [](const std::string& surface) {
+    const Document document = illustrated(
+        "title: t\ngiven: {L: 0.9 m, a: 60 deg}\npoints: {O: [0, 0, 0], B: [0, -L, 0], W: [-0.1 m, -L, 0]}\n"
+        "bodies: {rod: {rod: [O, B], mass: 3 kg}}\njoints: {hinge: {revolute: z, at: O, to: rod, angle: th}}\n"
+        "contacts: {wall: {of: rod, at: B, normal: x, open: true, restitution: 0.8" +
+        surface + "}}\ngravity: -y\ninstants: {start: {th: a, th': 0}}\nask: {first: {first_time: th' > 0}}\n");
+    std::vector<scene::Symbol> found;
+    for (const scene::Symbol& symbol : scene_of(document).symbols)
+      if (symbol.kind == scene::SymbolKind::contact) found.push_back(symbol);
+    return found;
+  };
+  for (const auto& [surface, x] : {std::pair{"", 0.0}, std::pair{", surface: W", -0.1}}) {
+    const std::vector<scene::Symbol> found = walls(surface);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].from, scene::ground);
+    EXPECT_EQ(found[0].to, scene::ground);
+    EXPECT_LT(norm(Vector(found[0].place.at - Vector{x, -0.9, 0})), 1e-12);
+    EXPECT_LT(norm(Vector(found[0].axis - Vector{1, 0, 0})), 1e-12);
+  }
+}
+
 }  // namespace scene_holds_test
 }  // namespace poinsot

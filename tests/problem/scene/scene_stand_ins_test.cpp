@@ -148,5 +148,21 @@ TEST(SceneStandIns, what_stands_on_a_corner_has_no_round_solid_for_it) {
   EXPECT_EQ(shapes("at"), 1U);
 }
 
+// A pin that slides beyond the solid of the moments slides in a lever, one within it in a wheel.
+TEST(SceneStandIns, a_lever_with_a_slot_beyond_its_solid_is_shown_by_its_arms) {
+  const auto shapes = [](const std::string& moment) {
+    const Document document = illustrated(
+        "title: t\nplane: [x, y]\npoints: {O: [0, 0], Q: [0, 0.3 m], P: [0.05 m, 0.4 m]}\nbodies: {lever: {mass: 1 kg, "
+        "center: O, inertia: {z: " +
+        moment +
+        "}}, crank: massless}\njoints:\n  pivot: {revolute: z, at: O, to: lever}\n  shaft: {revolute: z, at: Q, to: "
+        "crank, rate: 5 rad/s, accel: 0}\n  pin: {slot: [O->P, z], at: P, from: lever, to: crank}\ngravity: none\n"
+        "ask: {w: angular_velocity(lever)}\n");
+    return scene_of(document).bodies.at(0).shapes.size();
+  };
+  EXPECT_EQ(shapes("0.02 kg*m^2"), 0U);
+  EXPECT_EQ(shapes("0.2 kg*m^2"), 1U);
+}
+
 }  // namespace scene_stand_ins_test
 }  // namespace poinsot

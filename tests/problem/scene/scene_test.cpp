@@ -241,10 +241,11 @@ points: {O: [0, 0, 0]}
 bodies: {ball: {particle: O, mass: m}}
 gravity: -y
 instants: {start: rest}
-ask: {v1: velocity(ball).y @ 1 s, v2: velocity(ball).y @ 2 s, y2: center(ball).y @ 2 s}
+ask: {v1: velocity(ball).y @ 1 s, v2: velocity(ball).y @ 2 s, y2: center(ball).y @ 2 s, T: kinetic_energy(ball) @ 2 s}
 )");
   const auto& plots = document.solutions.at(0).scene->motion->plots;
-  ASSERT_EQ(plots.size(), 2U);
+  ASSERT_EQ(plots.size(), 3U);
+  EXPECT_EQ(plots[2].unit, "J");
   EXPECT_EQ(plots[0].name, "v1");
   EXPECT_EQ(plots[1].name, "y2");
   EXPECT_NEAR(plots[0].values[0].back(), -2 * 9.80665, 1e-9);

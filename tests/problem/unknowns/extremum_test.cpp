@@ -183,6 +183,45 @@ TEST(Extremum, StabilityMayEndAtAValueThatIsTried) {
   }
 }
 
+// A faster top stays upright: that its rates become too unlike to be told apart is no end.
+TEST(Extremum, WhatRoundingHidesIsNoEnd) {
+  const SolvedText solved(sleeping_top(300, "largest: s"));
+  EXPECT_NE(solved.reason("end").find("no largest value was found"), std::string::npos) << solved.reason("end");
+}
+
+// A mass in a frame that turns, on springs k and 4 k, is unstable from sqrt(k/m) = 10 rad/s to twice as fast.
+std::string mass_in_a_frame(const std::string& given, const std::string& ask) {
+  return "title: t\ngiven: {m: 2 kg, k: 200 N/m, w: " + given +
+         "}\npoints: {O: [0, 0, 0]}\nframes: {f: {turns: z, rate: w}}\n"
+         "bodies: {arm: massless, p: {particle: O, mass: m}}\njoints:\n"
+         "  shaft: {revolute: z, at: O, to: arm, rate: w, accel: 0}\n"
+         "  guide: {planar: z, at: O, from: arm, to: p, freedoms: {slide1: {displacement: u, spring: {stiffness: k}},"
+         " slide2: {displacement: v, spring: {stiffness: 4*k}}, turn: {angle: 0 deg, rate: 0, accel: 0}}}\n"
+         "steady: {frame: f}\ngravity: none\nask: {end: {" +
+         ask + ", while: stable(p)}}\n";
+}
+
+TEST(Extremum, GapsAreToldFromTheValueOnThatTheDatumHas) {
+  const std::string bounds = "where: [1 rad/s < w < 30 rad/s]\n";
+  const auto told = [](const std::string& text, const std::vector<std::pair<std::string, std::string>>& sets = {}) {
+    const SolvedText solved(text, sets);
+    std::string all = solved.ask("end").reason;
+    for (const std::string& note : solved.notes()) all += "\n" + note;
+    return all;
+  };
+  const auto has = [](const std::string& all, const std::string& part) { return all.find(part) != std::string::npos; };
+  const std::string up = mass_in_a_frame("3 rad/s", "largest: w"), down = mass_in_a_frame("25 rad/s", "smallest: w");
+  EXPECT_TRUE(has(told(bounds + up), "20 rad/s it does not hold: from smaller values")) << told(bounds + up);
+  EXPECT_TRUE(has(told(bounds + down), "between 20 rad/s and")) << told(bounds + down);
+  // Without bounds the search ends far away, and the gap near the start is told all the same.
+  EXPECT_TRUE(has(told(up), "20 rad/s it does not hold: from smaller values")) << told(up);
+  // A value in the gap.
+  const std::string within = bounds + mass_in_a_frame("15 rad/s", "largest: w");
+  EXPECT_TRUE(has(told(within, {{"w", "3 rad/s"}}), "20 rad/s it does not hold: from smaller values"));
+  EXPECT_TRUE(has(told(within), "it does not hold at 15 rad/s, the value of 'w', but from 20 rad/s up"))
+      << told(within);
+}
+
 // Three logs: the one on top holds the others apart as long as mu >= tan 15 deg where they touch. What those below do
 // on the floor is found at each value.
 TEST(Extremum, LogsHoldWhileTheyStickToEachOther) {
@@ -197,6 +236,17 @@ TEST(Extremum, LogsHoldWhileTheyStickToEachOther) {
       "gravity: -y\ninstants: {now: rest}\nask: {least: {smallest: k, while: [sticking(ca), sticking(cb)]}}\n");
   const double expected = std::tan(std::numbers::pi / 12);
   EXPECT_NEAR(solved.number("least"), expected, 1e-6 * expected);
+}
+
+// s = d cos(w t) is negative at 1 s by intervals of k for ever: the largest k is none of their ends.
+TEST(Extremum, WhatHoldsByIntervalsForEverHasNoLargestValue) {
+  const SolvedText solved(
+      "title: t\ngiven: {k: 30 N/m, d: 0.1 m}\npoints: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\n"
+      "joints: {rail: {prismatic: x, at: O, to: b, displacement: s, spring: {stiffness: k}}}\ngravity: none\n"
+      "instants: {start: {s: d, s': 0}}\n"
+      "ask: {low: {smallest: k, while: 's @ 1 s < 0 m'}, high: {largest: k, while: 's @ 1 s < 0 m'}}\n");
+  EXPECT_NEAR(solved.number("low"), std::pow(std::numbers::pi / 2, 2), 1e-9);
+  EXPECT_EQ(solved.reason("high").find("it holds by intervals"), 0U) << solved.reason("high");
 }
 
 }  // namespace extremum_test

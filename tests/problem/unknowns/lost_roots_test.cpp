@@ -205,6 +205,67 @@ TEST(VanishingMomenta, PrincipalAxesAreFound) {
   EXPECT_EQ(alike.solutions[0].asks[0].state, AskState::undetermined);
 }
 
+// A top that precesses steadily, by p I s = m g c for the slow root and a fast one: the smaller root of a quadratic.
+// b: how far it leans, s: its spin.
+std::string steady_top(const std::string& b, const std::string& s, const std::string& range = "") {
+  return "given: {m: 0.5 kg, c: 0.1 m, I: 0.002 kg*m^2, J: 0.007 kg*m^2, b: " + b + ", s: " + s + R"(}
+find: {p: rad/s}
+points: {O: [0, 0, 0], G: 'c*[sin(b), 0, cos(b)]'}
+frames: {figure: {turns: z, rate: p}}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: O->G, axial: I, transverse: J}}}
+joints: {tip: {ball: O, to: top}}
+steady: {frame: figure, spins: {top: {about: O->G, rate: s}}}
+gravity: -z
+)" + range +
+         "ask: {p: p}\n";
+}
+
+double slow_precession(double b, double s) {
+  const double weight = 0.5 * 9.80665 * 0.1, spin = 0.002 * s;
+  return 2 * weight / (spin + std::sqrt(spin * spin - 4 * 0.005 * std::cos(b) * weight));
+}
+
+// The slow precession is lost among the last digits of the spin: as many digits as are known are told.
+TEST(SmallRoots, ARootAmongTheLastDigitsOfLargeTermsIsToldToBeOff) {
+  const double third = std::acos(0.5);
+  for (const auto& [spin, s, told] : {std::tuple{"1e7 rad/s", 1e7, "may be off by up to 0.01 of itself"},
+                                      std::tuple{"1e8 rad/s", 1e8, "may be off by up to 0.1 of itself"}}) {
+    const SolvedStatement solution = solved(steady_top("60 deg", spin));
+    ASSERT_EQ(solution.solutions.size(), 2u) << warnings_of(solution);
+    const double right = slow_precession(third, s), found = solution.solutions[0].asks[0].value.number;
+    EXPECT_GT(std::abs(found - right), 1e-6 * right);
+    EXPECT_LT(std::abs(found - right), 0.1 * right);
+    EXPECT_NE(warnings_of(solution).find(told), std::string::npos) << warnings_of(solution);
+  }
+  const SolvedStatement known = solved(steady_top("60 deg", "1e4 rad/s"));
+  ASSERT_EQ(known.solutions.size(), 2u);
+  EXPECT_NEAR(known.solutions[0].asks[0].value.number / slow_precession(third, 1e4), 1, 1e-6);
+  EXPECT_EQ(warnings_of(known).find("of itself"), std::string::npos) << warnings_of(known);
+}
+
+// In a range so narrow all values are one beside the spin: then none of them is an answer.
+TEST(SmallRoots, AnUnknownThatIsOpenInANarrowRangeIsNotAnswered) {
+  const SolvedStatement solution = solved(steady_top("60 deg", "1e8 rad/s", "where: [1e-9 rad/s < p < 1e-3 rad/s]\n"));
+  EXPECT_TRUE(!solution.solutions.empty() || !solution.warnings.empty());
+  for (const Solution& one : solution.solutions)
+    if (one.asks[0].state == AskState::found) {
+      EXPECT_NEAR(one.asks[0].value.number / slow_precession(std::acos(0.5), 1e8), 1, 0.1) << warnings_of(solution);
+    }
+}
+
+// The fast precession of a top that leans almost level, I s/((J - I) cos b), is some 10^7 natural rates.
+TEST(LargeRoots, ARootFarBeyondNaturalSizesIsFoundBesideAUsualOne) {
+  for (const auto& [b, degrees] : {std::tuple{"89.99 deg", 89.99}, std::tuple{"89.999 deg", 89.999},
+                                   std::tuple{"89.9999 deg", 89.9999}, std::tuple{"89.99999 deg", 89.99999}}) {
+    const SolvedStatement solution = solved(steady_top(b, "200 rad/s"));
+    ASSERT_EQ(solution.solutions.size(), 2u) << b << warnings_of(solution);
+    const double lean = degrees * std::acos(-1) / 180;
+    EXPECT_NEAR(solution.solutions[0].asks[0].value.number / slow_precession(lean, 200), 1, 1e-8) << b;
+    const double product = 0.5 * 9.80665 * 0.1 / (0.005 * std::cos(lean));  // of both roots
+    EXPECT_NEAR(solution.solutions[1].asks[0].value.number * slow_precession(lean, 200) / product, 1, 1e-6) << b;
+  }
+}
+
 // Lists are stated as lists: the leg at which a bent wire has no product of inertia.
 TEST(ListsOfFacts, OneElementOfAListIsAFact) {
   const auto wire = [](const std::string& fact) {
@@ -224,6 +285,23 @@ TEST(ListsOfFacts, OneElementOfAListIsAFact) {
   EXPECT_NEAR(root("'products_of_inertia(w about O)[1]': 0"), expected, 1e-9);
   for (const char* wrong : {"'products_of_inertia(w about O)': [0, any]", "'products_of_inertia(w about O)': 0"})
     EXPECT_THROW(solved(wire(wrong)), StatementError) << wrong;
+}
+
+// An upright top precesses at any rate that is taken from its spin: how it swings, seen from there, hangs on it.
+TEST(OpenUnknowns, NothingIsNotedThatHangsOnThem) {
+  const SolvedStatement solution = solved(R"(given: {m: 0.4 kg, h: 60 mm, I: 1.8e-4 kg*m^2, J: 2.2e-3 kg*m^2}
+find: {P: rad/s}
+points: {O: [0, 0, 0], G: [0, 0, h]}
+frames: {f: {turns: z, rate: P}}
+bodies: {top: {mass: m, center: G, inertia: {about: O, axis: O->G, axial: I, transverse: J}}}
+joints: {tip: {ball: O, to: top}}
+steady: {frame: f, spins: {top: {about: O->G, rate: 8000 rpm}}}
+gravity: -z
+ask: {P: P}
+)");
+  ASSERT_EQ(solution.solutions.size(), 1u);
+  EXPECT_EQ(solution.solutions[0].asks[0].reason, "the conditions leave 'P' open: one more fact is needed");
+  EXPECT_TRUE(solution.solutions[0].notes.empty()) << solution.solutions[0].notes.front();
 }
 
 }  // namespace lost_roots_test

@@ -95,6 +95,43 @@ ask: {w: w}
       << none.warnings[0];
 }
 
+// A governor that turns too slowly to lift its weights: close to b = 0 its conditions hold up to rounding, which is no
+// root below zero.
+TEST(Where, a_root_at_the_end_of_a_range_is_none_below_zero) {
+  const SolvedStatement none = solved(R"(
+given: {m: 2.5 kg, M: 0.85 kg, L: 2.7 m, w: 1.1 rad/s}
+find: {b: rad}
+where: [0 < b < 90 deg]
+points: {O: [0, 0, 0], A: [L*sin(b), -L*cos(b), 0], B: [-L*sin(b), -L*cos(b), 0], S: [0, -2*L*cos(b), 0]}
+bodies:
+  shaft: massless
+  la: massless
+  lb: massless
+  ka: massless
+  kb: massless
+  pa: {particle: A, mass: m}
+  pb: {particle: B, mass: m}
+  sleeve: {particle: S, mass: M}
+joints:
+  j: {revolute: y, at: O, to: shaft, rate: w, accel: 0}
+  g: {prismatic: y, at: S, from: shaft, to: sleeve}
+  p1: {revolute: z, at: O, from: shaft, to: la}
+  p2: {revolute: z, at: O, from: shaft, to: lb}
+  w1: {weld: A, from: la, to: pa}
+  w2: {weld: B, from: lb, to: pb}
+  q1: {revolute: z, at: S, from: sleeve, to: ka}
+  q2: {revolute: z, at: S, from: sleeve, to: kb}
+  e1: {revolute: z, at: A, from: la, to: ka}
+  e2: {revolute: z, at: B, from: lb, to: kb}
+steady: {frame: shaft}
+gravity: -y
+ask: {b: b}
+)");
+  EXPECT_TRUE(none.solutions.empty());
+  ASSERT_FALSE(none.warnings.empty());
+  EXPECT_EQ(none.warnings[0].find("taken as not negative"), std::string::npos) << none.warnings[0];
+}
+
 // Two of three jets would have to burn for a negative time.
 TEST(Where, a_root_below_zero_is_told_where_none_is_in_the_ranges) {
   const std::string text = R"(
@@ -148,7 +185,12 @@ ask: {w: w}
   const SolvedStatement right = hung("N", "weight: w", "20 N");
   ASSERT_EQ(right.solutions.size(), 1U);
   EXPECT_NEAR(right.solutions[0].asks[0].value.number, 20, 1e-12);
-  for (const auto& [unit, amount] : {std::pair{"N", "weight: w"}, {"kg", "mass: w"}, {"kg/m", "density: w"}}) {
+  EXPECT_EQ(hung("{signed: kg}", "mass: w", "20 N").solutions.size(), 1U);
+  for (const auto& [unit, amount] : {std::pair{"N", "weight: w"},
+                                     {"kg", "mass: w"},
+                                     {"kg/m", "density: w"},
+                                     {"{signed: kg}", "mass: w"},
+                                     {"{signed: lb}", "weight: w"}}) {
     const SolvedStatement none = hung(unit, amount, "-20 N");
     EXPECT_TRUE(none.solutions.empty()) << amount;
     ASSERT_FALSE(none.warnings.empty()) << amount;

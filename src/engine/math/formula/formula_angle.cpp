@@ -6,6 +6,7 @@
 
 #include "engine/math/formula/formula_digits.h"
 #include "engine/math/formula/formula_fraction.h"
+#include "poinsot/engine/math/formula/formula_decision.h"
 
 namespace poinsot {
 namespace symbolic {
@@ -111,7 +112,7 @@ std::optional<Formula> known_angle(const Formula& x, const std::function<Formula
 }
 
 Formula of_inverse_function(const std::string& name, const Formula& x) {
-  return generator_formula(inverse_generator(name, x, Formula()));
+  return assuming_alike(generator_formula(inverse_generator(name, x, Formula())), x);
 }
 
 // The sign of x times those of its factors whose sign is not known.
@@ -225,6 +226,7 @@ Formula atan2(const Formula& y, const Formula& x) {
   if (y.is_zero() && x.is_zero()) return {};
   if (x.is_zero() && y_sign != 0) return y_sign * pi / 2;
   if (y.is_zero() && x_sign < 0) return pi;
+  if (y.is_zero() && x_sign == 0 && notes_decisions()) return decided_negative(x) ? pi : Formula();
   if (x_sign > 0) return atan(y / x);
   if (x_sign < 0 && y_sign != 0) return atan(y / x) + y_sign * pi;
   // Without a common factor whose sign is known.
@@ -238,7 +240,8 @@ Formula atan2(const Formula& y, const Formula& x) {
     above = stays * symbolic::numerator_of(ratio);
     right = stays * symbolic::denominator_of(ratio);
   }
-  return symbolic::generator_formula(symbolic::inverse_generator("atan2", above, right));
+  const Formula angle = symbolic::generator_formula(symbolic::inverse_generator("atan2", above, right));
+  return symbolic::assuming_alike(symbolic::assuming_alike(angle, y), x);
 }
 
 Formula sinc_of_square(const Formula& x) {

@@ -179,10 +179,18 @@ std::vector<Formula> vanishing_factors(const Formula& x) {
   return found;
 }
 
+// The u of a factor |u|/u; nothing if the factor is none.
+static const Formula* argument_of_sign(const Generators& generators, const Polynomial& factor) {
+  if (factor.length() != 1) return nullptr;
+  for (std::size_t v = 0; v < generators.size(); ++v)
+    if (factor.degree(v) == 1) return generators[v]->kind == Kind::sign ? &generators[v]->argument : nullptr;
+  return nullptr;
+}
+
 Formula sign_part(const Formula& x, bool keep_zeros) {
   if (x.is_zero()) return x;
   const Generators& generators = *x.fraction()->generators;
-  Formula part(1);
+  Formula part(1), of_signs(1);
   for (const Polynomial* p : {&x.fraction()->numerator, &x.fraction()->denominator}) {
     if (p->is_constant()) {
       part *= Formula(p->leading_sign());
@@ -191,6 +199,11 @@ Formula sign_part(const Formula& x, bool keep_zeros) {
     const Factors factors = factored(*p);
     part *= Formula(fmpz_sgn(factors.constant.get()));
     for (const auto& [base, exponent] : factors.powers) {
+      // |u|/u has the sign of u.
+      if (const Formula* signed_by = argument_of_sign(generators, base)) {
+        if (exponent % 2 == 1) of_signs *= *signed_by;
+        continue;
+      }
       int terms = most_factored;
       const SeenSign own = sign_of_factor(generators, base, {most_squarings, most_splits, &terms});
       const bool kept = own.sign == 0 || (keep_zeros && !own.strict);
@@ -199,6 +212,19 @@ Formula sign_part(const Formula& x, bool keep_zeros) {
       else if (exponent % 2 == 1)
         part *= Formula(own.sign);
     }
+  }
+  return of_signs == Formula(1) ? part : sign_part(part * of_signs, keep_zeros);
+}
+
+Formula sign_part_in_sines(const Formula& x, bool keep_zeros) {
+  Formula part = sign_part(x, keep_zeros);
+  if (part.is_zero()) return part;
+  const Generators& generators = *part.fraction()->generators;
+  const Polynomial above = part.fraction()->numerator, below = part.fraction()->denominator;
+  for (std::size_t v = 0; v < generators.size(); ++v) {
+    if (generators[v]->kind != Kind::tangent && generators[v]->kind != Kind::constant_tangent) continue;
+    const Formula t = generator_formula(generators[v]);
+    part /= pow(1 + t * t, (above.degree(v) + 1) / 2 - (below.degree(v) + 1) / 2);
   }
   return part;
 }

@@ -85,7 +85,7 @@ std::optional<std::string> in_degrees(const Form& angle) {
 }
 
 // What decimals of the data leave of a coefficient, as they are read: 981/100 is 9.81, 2943/200 is 14.715. Shapes leave
-// no such denominators: 3/80 and 83/320 have one factor of five.
+// no such denominators: 3/80 and 83/320 have one factor of five. Squares of fifths, as in energies, are fractions.
 std::optional<std::string> decimal(const Form& above, const Form& below) {
   constexpr std::size_t most_digits = 6;
   if (below.kind != Form::Kind::number || above.kind != Form::Kind::number || above.text.size() > most_digits ||
@@ -94,7 +94,8 @@ std::optional<std::string> decimal(const Form& above, const Form& below) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   if (!std::ranges::all_of(above.text + below.text, is_digit)) return std::nullopt;
   long numerator = std::stol(above.text), denominator = std::stol(below.text);
-  if (denominator % 25 != 0) return std::nullopt;
+  constexpr long fifths = 25;
+  if (denominator % fifths != 0 || denominator == fifths) return std::nullopt;
   std::size_t places = 0;
   for (; denominator > 1 && places < most_digits; ++places) {
     numerator *= 10;

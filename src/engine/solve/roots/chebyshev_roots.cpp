@@ -91,6 +91,8 @@ class Search {
     if (!along_curve_)
       for (const Pair& t : touching_)
         if (vain_polishes_ < most_vain_polishes) touch_zero(t);
+    if (function_.unknowns() == 1 && !along_curve_)
+      for (const double side : {1.0, -1.0}) look_beyond(side);
     if (along_curve_) leave(whole_, "a curve of solutions");
     merge_unresolved();
     return std::move(result_);
@@ -323,6 +325,50 @@ class Search {
       result_.roots.add(function_, *root);
     else
       ++vain_polishes_;
+  }
+
+  // Beyond the reach of polynomials the values of one unknown are looked at once a decade. Where they turn around,
+  // and are more than rounding on both sides, there is a root. Farther out than the last place a double leaves three
+  // digits of what is added to a natural size.
+  void look_beyond(double side) {
+    constexpr double farthest = 1e12, stride = 10;
+    const RootRange& range = function_.problem().ranges[0];
+    if (std::isfinite(side > 0 ? range.upper : range.lower)) return;
+    const double other = side > 0 ? range.lower : range.upper;
+    const double from = std::isfinite(other) ? other / range.scale : 0;
+    const auto at = [&](double away) { return function_.at(VectorXd::Constant(1, from + side * away)); };
+    const auto clear = [&](const std::optional<RootSample>& place) {
+      constexpr double rounding = 1e-12;  // of the terms: what some thousand operations leave
+      return place && place->values.norm() > rounding * place->size;
+    };
+    auto here = at(reach_);
+    for (double away = reach_; away < farthest; away *= stride) {
+      auto next = at(away * stride);
+      if (clear(here) && clear(next) && here->values.size() == next->values.size()) {
+        const VectorXd across = next->values - here->values;
+        if (across.dot(here->values) < 0 && across.dot(next->values) > 0)
+          if (const auto root = turned_between(from, side * away, side * away * stride, across))
+            result_.roots.add(function_, *root);
+      }
+      here = std::move(next);
+    }
+  }
+
+  // The root between two distances from a place, between which the values turn around: halved on the scale of
+  // magnitudes, to the last digits. Steps by slopes could lead away where all misfits are small beside the terms.
+  std::optional<PolishedRoot> turned_between(double from, double near, double far, const VectorXd& across) {
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = std::copysign(std::sqrt(near * far), near);
+      if (middle == near || middle == far) break;
+      const auto there = function_.at(VectorXd::Constant(1, from + middle));
+      if (!there || there->values.size() != across.size()) return std::nullopt;
+      (across.dot(there->values) < 0 ? near : far) = middle;
+    }
+    auto root = polish(function_, VectorXd::Constant(1, from + near));
+    constexpr double same = 1e-3;  // of it: farther away it is another root
+    if (!root || !root->zero || !(std::abs(root->u[0] - from - near) <= same * std::abs(near))) return std::nullopt;
+    return root;
   }
 
   void leave(const Piece& piece, std::string reason) { unresolved_.emplace_back(piece, std::move(reason)); }

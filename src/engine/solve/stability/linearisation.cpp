@@ -132,11 +132,17 @@ class Lineariser {
     reduced.doubt += between(off, most, size) + between(size, most, off);
     find_modes(result, reduced, basis);
     // A symmetry brings a conserved momentum, and with it one more eigenvalue zero that says nothing about stability.
-    leave_out(result, same.momenta);
-    if (std::ranges::any_of(result.modes, is_doubtful)) look_without_momenta(result, reduced, basis, same.momenta);
+    // But where constraints of velocities have no share in a symmetry nothing is conserved by it: there are no more
+    // such eigenvalues than steady motions beside this one. Of those that vanish with a slow motion the rest decides
+    // nothing.
+    Index momenta = same.momenta;
+    if (momenta > 0 && std::ranges::any_of(result.modes, is_neutral))
+      momenta = std::min(momenta, vanishing_directions(reduced).directions.cols());
+    leave_out(result, momenta);
+    if (std::ranges::any_of(result.modes, is_doubtful)) look_without_momenta(result, reduced, basis, momenta);
     if (const double slowest = slowest_beside_drifts(result); slowest > 0) {
       const std::vector<Mode> with_drifts = result.modes;
-      look_without_drifts(result, reduced, basis, same.momenta);
+      look_without_drifts(result, reduced, basis, momenta);
       // No rate that was known may be lost, nor a slow one taken for a drift.
       const auto known = [](const std::vector<Mode>& modes) {
         return std::ranges::count_if(modes, std::not_fn(is_neutral));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include "poinsot/engine/math/formula/formula_decision.h"
+
 namespace poinsot {
 namespace formula_sign_test {
 
@@ -104,6 +106,33 @@ TEST(SeenSign, IsThatOfTheValues) {
   }
   EXPECT_GT(seen_often, 25);
   EXPECT_GT(strict_often, 8);
+}
+
+// Tangents of half angles, in which formulas are factored, are written as sines and cosines.
+TEST(SignPart, IsWrittenInSinesAndCosines) {
+  const Formula q = Formula::letter("q", Sign::real);
+  const Formula cosine = cos(q) * a, mixed = (a * sin(q) - b) * sin(q) / (1 + cos(q));
+  EXPECT_EQ(sign_part_in_sines(cosine, true), cos(q));
+  const Formula part = sign_part_in_sines(mixed, true);
+  EXPECT_TRUE((part / (sin(q) * (a * sin(q) - b))).is_number());
+  for (double angle = -3; angle < 3.1; angle += 0.37) {
+    const LetterValues at{{"q", angle}, {"a", 2}, {"b", 1.3}};
+    EXPECT_GT(value_at(part, at) * value_at(mixed, at), 0) << angle;
+  }
+}
+
+TEST(SignPart, OfAnAbsoluteValueOverItsArgumentIsThatOfTheArgument) {
+  EXPECT_EQ(sign_part(abs(u * v) / v, false), Formula(1) * v);
+  EXPECT_EQ(sign_part(abs(u) * abs(v) / (u * v), true), u * v);
+}
+
+TEST(AngleOfTwoSides, OfWhichOneIsZeroIsDecidedByTheOther) {
+  for (const Formula& side : {u, -u}) {
+    const DecisionScope decisions;
+    EXPECT_EQ(atan2(Formula(), side), plain(side) > 0 ? Formula() : Formula::pi());
+    ASSERT_EQ(decisions.signs().size(), 1u);
+    EXPECT_EQ(decisions.signs()[0], side);
+  }
 }
 
 TEST(VanishingFactors, AreWhereTheFormulaVanishes) {

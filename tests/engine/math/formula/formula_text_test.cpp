@@ -230,6 +230,7 @@ TEST(FormulaText, DecimalsOfDataAreDecimalsInTex) {
       {"3*m*a^2/80", "\\frac{3 m a^{2}}{80}"},
       {"83*m*a^2/320", "\\frac{83 m a^{2}}{320}"},
       {"2*m/5", "\\frac{2 m}{5}"},
+      {"38*a^2/(25*m)", "\\frac{38 a^{2}}{25 m}"},
       {"m/75", "\\frac{m}{75}"}};
   for (const auto& [formula, tex] : formulas) EXPECT_EQ(text(read(formula), Notation::tex), tex) << formula;
 }

@@ -23,5 +23,7 @@ std::vector<Formula> vanishing_factors(const Formula& x);
 // The product, with its sign, of those factors of x that determine the sign of x: it is positive where x is and
 // negative where x is. keep_zeros: also with all factors that may vanish, so that it is zero where x is.
 Formula sign_part(const Formula& x, bool keep_zeros);
+// The same over powers of 1 + t^2 for the tangents t of half angles, such that it is written in sines and cosines.
+Formula sign_part_in_sines(const Formula& x, bool keep_zeros);
 
 }  // namespace poinsot

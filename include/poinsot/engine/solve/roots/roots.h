@@ -104,6 +104,11 @@ struct Roots {
 // than two, open, or found by following motions.
 std::optional<RootScan> scan_roots(const RootProblem& problem, const Roots& known, Work most);
 
+// By which part of itself, where that is more than a millionth, rounding lets each unknown of a root be off: 0 for one
+// of which six digits are known, 1 for one of which none is. Up to a hundred evaluations for an unknown where
+// there is a suspicion, else a few. Of what is zero it says nothing.
+std::vector<double> blur_of_root(const RootProblem& problem, const std::vector<double>& point, Work most);
+
 // Roots that are closer than rounding can tell are one. The search ends when `most` work is done: that
 // of the equations, as far as they count it, and a little for each evaluation.
 Roots find_roots(const RootProblem& problem, Work most = 8'000'000'000);
