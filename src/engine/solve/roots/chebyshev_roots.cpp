@@ -342,7 +342,8 @@ class Search {
       return place && place->values.norm() > rounding * place->size;
     };
     auto here = at(reach_);
-    for (double away = reach_; away < farthest; away *= stride) {
+    double away = reach_;
+    while (away < farthest) {
       auto next = at(away * stride);
       if (clear(here) && clear(next) && here->values.size() == next->values.size()) {
         const VectorXd across = next->values - here->values;
@@ -351,6 +352,7 @@ class Search {
             result_.roots.add(function_, *root);
       }
       here = std::move(next);
+      away *= stride;
     }
   }
 
