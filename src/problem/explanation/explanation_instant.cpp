@@ -262,7 +262,7 @@ void InstantExplainer::motion_step(std::vector<ExplainedStep>& steps, int body, 
       step.equations.push_back(tex_.equation(symbol, value, dimension));
   };
   // Of a particle nothing turns.
-  const bool turns = !is_particle(body);
+  const bool turns = !is_particle(body) && turns_as_told(body);
   if (turns)
     add(
         "\\boldsymbol{\\omega}" + index, [&](const auto& figures) { return figures.now.workspace().motion[at].w; },

@@ -153,6 +153,7 @@ class InstantExplainer {
   std::optional<Vector3<Formula>> asked_formula(const Expression& asked);
   ExplainedStep motion_of_point(const PointQuestion& question, const std::string& label, const ShownVector& vector);
   bool place_changes_as_told(int body) const;
+  bool turns_as_told(int body) const;
   std::optional<std::size_t> turning_axis(int body) const;
   std::optional<ExplainedPoint> told_pivot(int body) const;
   ExplainedStep energy_step(int body, const std::string& index, bool central, const ExplainedPoint* pivot);

@@ -227,6 +227,16 @@ bool InstantExplainer::place_changes_as_told(int body) const {
   return true;
 }
 
+// Whether anything stated tells how a body turns. Of a rod the turning about itself is left open, and does not matter.
+bool InstantExplainer::turns_as_told(int body) const {
+  const solve::LinearSolution& velocities = sudden() ? solved_.blow() : solved_.velocities();
+  const auto& link = mechanism().tree.body(body);
+  if (link.joint != JointType::free || velocities.value.empty()) return true;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (velocities.determined(static_cast<std::size_t>(link.v) + k)) return true;
+  return false;
+}
+
 // The only axis of the ground about which a body turns.
 std::optional<std::size_t> InstantExplainer::turning_axis(int body) const {
   const Vector3<double>& w = figures_.numbers.now.workspace().motion[static_cast<std::size_t>(body + 1)].w;

@@ -257,11 +257,14 @@ bool speaks_of_momentum(const Expression& expression) {
   return found;
 }
 
-StatementQuestions questions_of(const Statement& statement, Sample& sample,
+StatementQuestions questions_of(const Statement& statement, Sample& sample, const Solution& solution,
                                 const std::map<std::size_t, std::size_t>& limits) {
   StatementQuestions found;
   Collector collector(statement, sample, found);
-  for (const Ask& ask : statement.asks) {
+  for (std::size_t i = 0; i < statement.asks.size(); ++i) {
+    const Ask& ask = statement.asks[i];
+    // How bodies move that what is stated leaves open is not told. Of forces the equations show what is open.
+    const bool is_open = i < solution.asks.size() && solution.asks[i].state == AskState::undetermined;
     if (ask.table && runs_over_datum(statement, *ask.table))
       collect_table(statement, *ask.table, sample, collector, found);
     if (ask.table || ask.when || ask.extremum) continue;
@@ -271,8 +274,11 @@ StatementQuestions questions_of(const Statement& statement, Sample& sample,
         continue;
       }
       const Sample::Home home = sample.home(expression, ask.mark);
-      found.instants[home];
+      InstantQuestions& here = found.instants[home];
+      if (is_open && level_of(statement.situations[home.situation], expression) != Level::force) continue;
+      const std::vector<PointQuestion> determined = here.points;
       collector.collect(expression, home);
+      if (is_open) here.points = determined;
     }
   }
   for (const auto& [situation, ask] : limits) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "problem/results/solution.h"
 #include "problem/unknowns/sample.h"
 
 namespace poinsot::problem {
@@ -52,9 +53,9 @@ struct StatementQuestions {
 // Whether an expression has a momentum or a kinetic energy in it.
 bool speaks_of_momentum(const Expression& expression);
 
-// limits: situations to be explained at a limit, with the ask whose conditions count there. Throws StatementError as
-// the evaluation of the asks does.
-StatementQuestions questions_of(const Statement& statement, Sample& sample,
+// solution: which asks are answered. limits: situations to be explained at a limit, with the ask whose conditions count
+// there. Throws StatementError as the evaluation of the asks does.
+StatementQuestions questions_of(const Statement& statement, Sample& sample, const Solution& solution,
                                 const std::map<std::size_t, std::size_t>& limits);
 
 }  // namespace poinsot::problem

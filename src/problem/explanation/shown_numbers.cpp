@@ -178,7 +178,7 @@ bool ShownNumbers::choose_numbers() {
       if (!set_unknowns(drawn_)) return false;
       if (!set_limits()) continue;
       sample_ = std::make_unique<Sample>(statement_, settings_, OpenChoice{});
-      questions_ = questions_of(statement_, *sample_, limits_);
+      questions_ = questions_of(statement_, *sample_, solution_, limits_);
       for (auto one = questions_.instants.begin(); one != questions_.instants.end();) {
         const auto& [home, questions] = *one;
         try {

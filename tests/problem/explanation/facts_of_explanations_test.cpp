@@ -255,5 +255,21 @@ ask: {P: P, N: reaction(tip)}
   EXPECT_TRUE(says(text, "\\Sigma M_{y}")) << text;
 }
 
+// How a body turns that is left open: neither an energy nor the velocity of a point is worked out.
+TEST(Explanation, TellsNoMotionThatIsLeftOpen) {
+  const std::string text = explained(R"(title: t
+given: {v: 2 m/s, r: 0.1 m}
+points: {G: [0, 0, 0], A: [0, r, 0]}
+bodies: {ball: {sphere: {center: G, radius: r}, mass: 1 kg}}
+gravity: none
+facts: {velocity(ball): [v, 0, 0]}
+ask: {T: kinetic_energy(ball), L: momentum(ball), a: velocity(A of ball)}
+)");
+  EXPECT_TRUE(says(text, "\\mathbf{L} = m")) << text;
+  EXPECT_FALSE(says(text, "kinetic energy is")) << text;
+  EXPECT_FALSE(says(text, "\\mathbf{v}_{A}")) << text;
+  EXPECT_FALSE(says(text, "\\boldsymbol{\\omega} &=")) << text;
+}
+
 }  // namespace facts_of_explanations_test
 }  // namespace poinsot::problem

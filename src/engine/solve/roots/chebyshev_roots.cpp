@@ -337,23 +337,36 @@ class Search {
     const double other = side > 0 ? range.lower : range.upper;
     const double from = std::isfinite(other) ? other / range.scale : 0;
     const auto at = [&](double away) { return function_.at(VectorXd::Constant(1, from + side * away)); };
-    const auto clear = [&](const std::optional<RootSample>& place) {
-      constexpr double rounding = 1e-12;  // of the terms: what some thousand operations leave
-      return place && place->values.norm() > rounding * place->size;
-    };
     auto here = at(reach_);
+    const auto last = at(farthest);
+    if (grows_as_a_power(here, last, farthest / reach_)) return;
     double away = reach_;
     while (away < farthest) {
-      auto next = at(away * stride);
-      if (clear(here) && clear(next) && here->values.size() == next->values.size()) {
+      auto next = away * stride < farthest ? at(away * stride) : last;
+      const double end = std::min(away * stride, farthest);
+      if (is_clear(here) && is_clear(next) && here->values.size() == next->values.size()) {
         const VectorXd across = next->values - here->values;
         if (across.dot(here->values) < 0 && across.dot(next->values) > 0)
-          if (const auto root = turned_between(from, side * away, side * away * stride, across))
+          if (const auto root = turned_between(from, side * away, side * end, across))
             result_.roots.add(function_, *root);
       }
       here = std::move(next);
-      away *= stride;
+      away = end;
     }
+  }
+
+  static bool is_clear(const std::optional<RootSample>& place) {
+    constexpr double rounding = 1e-12;  // of the terms: what some thousand operations leave
+    return place && place->values.norm() > rounding * place->size;
+  }
+  // Whether one whole power of the distance leads from one place to another, so that no other term shows between them.
+  static bool grows_as_a_power(const std::optional<RootSample>& near, const std::optional<RootSample>& far,
+                               double ratio) {
+    constexpr double off = 1e-4;  // as another term makes it that is a thousandth at the near place
+    if (!is_clear(near) || !is_clear(far) || near->values.size() != far->values.size()) return false;
+    const double power = std::log(far->values.norm() / near->values.norm()) / std::log(ratio);
+    const double alike = near->values.normalized().dot(far->values.normalized());
+    return alike > 1 - off && std::abs(power - std::round(power)) < off;
   }
 
   // The root between two distances from a place, between which the values turn around: halved on the scale of
