@@ -219,7 +219,7 @@ Formula sign_part(const Formula& x, bool keep_zeros) {
 Formula sign_part_in_sines(const Formula& x, bool keep_zeros) {
   Formula part = sign_part(x, keep_zeros);
   if (part.is_zero()) return part;
-  const Generators& generators = *part.fraction()->generators;
+  const Generators generators = *part.fraction()->generators;
   const Polynomial above = part.fraction()->numerator, below = part.fraction()->denominator;
   for (std::size_t v = 0; v < generators.size(); ++v) {
     if (generators[v]->kind != Kind::tangent && generators[v]->kind != Kind::constant_tangent) continue;
