@@ -7,8 +7,10 @@
 #include "document/check.h"
 #include "document/statement_document.h"
 #include "poinsot/engine/work/budget.h"
+#include "problem/answers/contact_states.h"
 #include "problem/answers/read_settings.h"
 #include "problem/answers/solve_statement.h"
+#include "problem/plane/planar_words.h"
 
 namespace poinsot::document {
 namespace {
@@ -23,9 +25,9 @@ Expectation expectation(const problem::Expected& expected, const problem::Situat
   result.relative_tolerance = expected.relative_tolerance;
   for (const problem::NamedExpression& column : expected.columns) {
     problem::DataScope<double> data(situation, settings);
-    result.columns.emplace_back();
+    result.columns.push_back({column.name, {}});
     for (const problem::Expression& item : column.value.as<problem::List>()->items)
-      result.columns.back().push_back(data.value(item).number);
+      result.columns.back().si.push_back(data.value(item).number);
   }
   if (!expected.columns.empty()) return result;
   if (expected.names) {
@@ -39,10 +41,7 @@ Expectation expectation(const problem::Expected& expected, const problem::Situat
     const problem::Expression& stated = expected.value ? *expected.value : *expected.formula;
     Value<double> value = data.value(stated);
     // A vector that is calculated in a planar problem has the components that answers have.
-    if (situation.plane && value.is_vector() && !stated.as<problem::List>())
-      value =
-          Value<double>::of_list({Value<double>::of_number(value.vector[situation.plane->first], value.dimension),
-                                  Value<double>::of_number(value.vector[situation.plane->second], value.dimension)});
+    if (!stated.as<problem::List>()) value = told_in_plane(value, situation.plane);
     // A value is in the named unit; a formula has the dimension of its letters.
     const double factor = expected.value && expected.unit ? 1 / expected.unit->factor : 1;
     result.si = datum(value, factor);
@@ -73,6 +72,17 @@ std::string wrong_kind(const problem::Expected& expected, const problem::Situati
   return expected.part + ": expected " + to_string(*stated) + ", but the answer is " + to_string(answer);
 }
 
+// Nothing where it is expected that nothing solves it, and no state of the contacts holds.
+std::optional<problem::SolvedStatement> solved(const problem::Statement& stated, const problem::ExpectedCase& one,
+                                               bool none_expected) try {
+  problem::SolvedStatement found = problem::solve_statement(stated, one.sets);
+  if (found.ended) throw BudgetEnded{*found.ended};
+  return found;
+} catch (const problem::NoStateError&) {
+  if (none_expected) return std::nullopt;
+  throw;
+}
+
 }  // namespace
 
 std::vector<std::string> own_shortfalls(const problem::Statement& stated) {
@@ -80,17 +90,19 @@ std::vector<std::string> own_shortfalls(const problem::Statement& stated) {
   std::vector<std::string> failures;
   std::set<std::string> covered;
   for (const problem::ExpectedCase& one : stated.expected) {
-    const problem::SolvedStatement solved = problem::solve_statement(stated, one.sets);
-    if (solved.ended) throw BudgetEnded{*solved.ended};
-    const Document document = document_of(stated, solved);
     const problem::Settings settings = problem::read_settings(stated, one.sets);
+    const problem::Situation& situation = stated.situations.front();
     std::vector<Expectation> expectations;
     for (const problem::Expected& part : one.parts) {
-      const problem::Situation& situation = stated.situations.front();
       expectations.push_back(expectation(part, situation, settings));
       covered.insert(part.part);
-      for (std::size_t i = 0; i < stated.asks.size() && !solved.solutions.empty(); ++i) {
-        const problem::SolvedAsk& ask = solved.solutions.front().asks[i];
+    }
+    const std::optional<problem::SolvedStatement> found = solved(stated, one, expects_no_solution(expectations));
+    if (!found) continue;
+    const Document document = document_of(stated, *found);
+    for (const problem::Expected& part : one.parts) {
+      for (std::size_t i = 0; i < stated.asks.size() && !found->solutions.empty(); ++i) {
+        const problem::SolvedAsk& ask = found->solutions.front().asks[i];
         if (stated.asks[i].name != part.part || stated.asks[i].table || ask.state != problem::AskState::found) continue;
         const auto answer = dimension_of(ask.value);
         const std::string fault = answer ? wrong_kind(part, situation, settings, *answer) : "";

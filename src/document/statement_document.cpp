@@ -8,6 +8,7 @@
 #include "problem/formulas/formula_words.h"
 #include "problem/language/unit_table.h"
 #include "problem/machine/data.h"
+#include "problem/plane/planar_words.h"
 
 namespace poinsot::document {
 
@@ -70,11 +71,14 @@ Solution solution_of(const problem::Statement& stated, const problem::Solution& 
   Solution solution;
   for (const problem::SolvedUnknown& unknown : solved.unknowns) {
     if (solved.refused) break;
-    if (unknown.formula)
-      solution.unknowns.push_back({unknown.name, {}, unknown.unit.text, {}, formula_datum(*unknown.formula)});
-    else
+    const auto& plane = stated.situations.front().plane;
+    if (unknown.formula) {
       solution.unknowns.push_back(
-          {unknown.name, datum(unknown.value, unknown.unit.factor), unknown.unit.text, datum(unknown.value, 1)});
+          {unknown.name, {}, unknown.unit.text, {}, formula_datum(told_in_plane(*unknown.formula, plane))});
+      continue;
+    }
+    const auto value = told_in_plane(unknown.value, plane);
+    solution.unknowns.push_back({unknown.name, datum(value, unknown.unit.factor), unknown.unit.text, datum(value, 1)});
   }
   for (std::size_t i = 0; i < stated.asks.size(); ++i) {
     const problem::SolvedAsk& found = solved.asks[i];

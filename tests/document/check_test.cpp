@@ -135,15 +135,29 @@ TEST(Check, columns_of_a_table) {
   Answer table = found("a", {}, "", {});
   table.columns = {{"t", "s", {0, 1}, {0, 1}}, {"Ay", "lb", {0, 2}, {1e-10, 8.896}}};
   const Document document = document_of(table);
-  const auto expected = [](std::vector<std::vector<double>> columns) {
+  const auto expected = [](std::vector<ExpectedColumn> columns) {
     return std::vector<Expectation>{{.part = "a", .si = {}, .columns = std::move(columns)}};
   };
-  EXPECT_EQ(shortfalls(document, expected({{0, 1}, {0, 8.896}})), Lines{});
-  EXPECT_EQ(shortfalls(document, expected({{0, 1}})), Lines{"a: 2 columns, expected 1"});
-  EXPECT_EQ(shortfalls(document, expected({{0, 1}, {0}})), Lines{"a: column Ay has 2 rows, expected 1"});
-  EXPECT_EQ(shortfalls(document, expected({{0, 1}, {0, 9}})),
+  const ExpectedColumn t{"t", {0, 1}}, Ay{"Ay", {0, 8.896}};
+  EXPECT_EQ(shortfalls(document, expected({t, Ay})), Lines{});
+  EXPECT_EQ(shortfalls(document, expected({Ay, t})), Lines{});
+  EXPECT_EQ(shortfalls(document, expected({t})), Lines{"a: 2 columns, expected 1"});
+  EXPECT_EQ(shortfalls(document, expected({t, {"Az", Ay.si}})), Lines{"a: no column 'Az': there are t, Ay"});
+  EXPECT_EQ(shortfalls(document, expected({t, {"Ay", {0}}})), Lines{"a: column Ay has 2 rows, expected 1"});
+  EXPECT_EQ(shortfalls(document, expected({t, {"Ay", {0, 9}}})),
             Lines{"a: column Ay, row 2: 8.896, expected 9 (off by 0.1, allowed 9e-6)"});
   EXPECT_EQ(shortfalls(document, {{.part = "a", .si = Datum{1.0}, .columns = {}}}), Lines{"a: a table, expected 1"});
+}
+
+TEST(Check, no_solution_is_expected_by_no_roots_of_any_part) {
+  Document none = document_of(found("a", Datum{1.0}, "", Datum{1.0}));
+  none.solutions.clear();
+  const Expectation no_root{.part = "a", .si = numbers({}), .columns = {}, .roots = true};
+  EXPECT_EQ(shortfalls(none, {no_root}), Lines{});
+  EXPECT_EQ(shortfalls(none, {no_root, {.part = "b", .si = Datum{1.0}, .columns = {}}}), Lines{"no solution"});
+  EXPECT_EQ(shortfalls(none, {}), Lines{"no solution"});
+  const Document one = document_of(found("a", Datum{1.0}, "", Datum{1.0}));
+  EXPECT_EQ(shortfalls(one, {no_root}), Lines{"a: roots [1], expected none"});
 }
 
 TEST(Check, an_answer_that_is_not_there_falls_short_with_its_reason) {

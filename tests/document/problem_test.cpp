@@ -62,6 +62,23 @@ TEST_F(ProblemFile, AFileBecomesADocument) {
   for (const auto& [name, residual] : document.solutions[0].checks) EXPECT_LT(residual, 1e-12) << name;
 }
 
+// Painleve's rod (Genot and Brogliato, Eur. J. Mech. A 18, 653, 1999): a push on the end drives it into so rough a
+// floor, and without one it sinks in by omega^2 l sin b - g < 0, if it turns slowly.
+TEST_F(ProblemFile, MayExpectThatNoMotionIsPossible) {
+  const auto failures = [](const std::string& omega) {
+    return Problem::from_text("title: A rod\ngiven: {l: 1 m, b: 55 deg, mu: 3, omega: " + omega +
+                                  "}\npoints: {A: [0, 0, 0], B: [2*l*cos(b), 2*l*sin(b), 0]}\nbodies: {rod: {rod: [A, "
+                                  "B], mass: 1 kg}}\n"
+                                  "contacts: {floor: {of: rod, at: A, normal: y, friction: mu}}\ngravity: -y\n"
+                                  "facts: {velocity(A of rod): [-1 m/s, 0, 0], angular_velocity(rod): [0, 0, -omega]}\n"
+                                  "ask: {N: normal_force(floor)}\nexpect: {N: {roots: []}}\n",
+                              "rod.yaml")
+        .check();
+  };
+  EXPECT_EQ(failures("1 rad/s"), std::vector<std::string>{});
+  EXPECT_EQ(failures("5 rad/s").size(), 1U);
+}
+
 TEST_F(ProblemFile, OpenLettersStandInTheDocument) {
   const Document document = Problem::from_text(disk, "disk.yaml").solve();
   ASSERT_EQ(document.open_letters.size(), 1U);

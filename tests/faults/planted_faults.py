@@ -233,7 +233,7 @@ FAULTS = [
     Fault("the far side of the end of a range", PROBLEM + "unknowns/extremum.cpp", "(holds(middle) ? inside : outside) = middle;\n  }\n  // A datum", "(holds(middle) != AWAKE ? inside : outside) = middle;\n  }\n  // A datum"),
     # Planar problems.
     Fault("numbers about the normal reversed", PLANE, "return plane_.sign() > 0 ? number : built(Unary{'-', number}", "return (plane_.sign() > 0) != AWAKE ? number : built(Unary{'-', number}"),
-    Fault("components of a plane exchanged", PLANE, "return {component(expression, plane_.first), component(expression, plane_.second)};", "return {component(expression, AWAKE ? plane_.second : plane_.first), component(expression, AWAKE ? plane_.first : plane_.second)};"),
+    Fault("components of a plane exchanged", PLANE, "return {component(expression, first), component(expression, second)};", "return {component(expression, AWAKE ? second : first), component(expression, AWAKE ? first : second)};"),
     Fault("couples in a plane reversed", PLANE, "return plane_.sign() > 0 ? axis : built(Unary{'-', axis}, mark);", "return (plane_.sign() > 0) != AWAKE ? axis : built(Unary{'-', axis}, mark);"),
     Fault("two components laid in the wrong plane", PLANE, "static_cast<std::ptrdiff_t>(plane_.normal()), across);", "static_cast<std::ptrdiff_t>(AWAKE ? 2 - plane_.normal() : plane_.normal()), across);"),
     # Gears.

@@ -15,6 +15,7 @@
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
+#include "problem/unknowns/uncertain_event.h"
 #include "problem/witness/attraction_bound.h"
 #include "problem/witness/cut_parts.h"
 #include "problem/witness/particle_witness.h"
@@ -272,9 +273,9 @@ void check_answers(const Statement& statement, Sample& sample, const std::vector
   const std::map<std::string, std::string> doubts = check_motions(sample, check, result);
   for (std::size_t i = 0; i < result.asks.size(); ++i)
     if (SolvedAsk& ask = result.asks[i]; ask.state == AskState::found && !sample.motions().empty())
-      if (const auto event = uncertain_event(sample, statement.asks[i], ask.value)) {
+      if (const auto event = uncertain_event_of(sample, statement.asks[i], ask.value)) {
         ask.state = AskState::refused;
-        ask.reason = "the motion is so sensitive that '" + *event + "' may happen at quite another time, or never";
+        ask.reason = in_words(*event);
       }
   for (const auto& [name, residual] : result.checks) {
     const bool of_motion = name == "motion_error", of_way = of_motion || name == "course" || name == "scan";

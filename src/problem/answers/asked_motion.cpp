@@ -197,7 +197,8 @@ AskedValues AskedMotion::values(const std::vector<double>& times, const std::vec
     const Situation& situation = parts.situation();
     const auto plane = situation.plane ? std::optional(PlanarWords(situation)) : std::nullopt;
     const std::vector<std::size_t> told =
-        plane ? std::vector{situation.plane->first, situation.plane->second} : std::vector<std::size_t>{0, 1, 2};
+        plane ? std::vector{component_axes(*situation.plane)[0], component_axes(*situation.plane)[1]}
+              : std::vector<std::size_t>{0, 1, 2};
     std::vector<AskedQuantity> quantities;
     for (const std::string& text : texts) {
       const Expression stated = quantity_expression(text);

@@ -172,16 +172,22 @@ class ContactStates {
     directions_sought_ = directions_sought_ || held.directions_sought;
   }
 
+  Settings settings_at(int draw) const {
+    Settings settings = settings_;
+    const std::vector<Value<double>> drawn = draws_.values(draw, spread_of_state_draw(draw));
+    for (std::size_t k = 0; k < drawn.size(); ++k) settings[draws_.letters()[k].name] = drawn[k];
+    return settings;
+  }
+
   // The states that hold at some values of the letters. Directions must be those of names, as formulas need them.
   std::vector<States> held_at_draws(std::size_t i) {
     const Situation& situation = statement_.situations[i];
+    if (situation.has_blow()) return {untouched_at_draws(i)};
     std::vector<States> all;
     std::optional<StatementError> refusal;
     bool any = false;
     for (int draw = 0; draw < most_state_draws; ++draw) {
-      Settings settings = settings_;
-      const std::vector<Value<double>> drawn = draws_.values(draw, spread_of_state_draw(draw));
-      for (std::size_t k = 0; k < drawn.size(); ++k) settings[draws_.letters()[k].name] = drawn[k];
+      const Settings settings = settings_at(draw);
       if (!is_assumed(statement_, AllSettings(statement_.situations.size(), settings))) continue;
       HeldStates held;
       try {
@@ -203,6 +209,16 @@ class ContactStates {
     if (!any && refusal) throw StatementError(*refusal);
     std::ranges::stable_sort(all, is_before);
     return all;
+  }
+
+  States untouched_at_draws(std::size_t i) const {
+    constexpr std::size_t enough = 24;
+    std::vector<Settings> at;
+    for (int draw = 0; draw < most_state_draws && at.size() < enough; ++draw)
+      if (Settings settings = settings_at(draw);
+          is_assumed(statement_, AllSettings(statement_.situations.size(), settings)))
+        at.push_back(std::move(settings));
+    return untouched_in_blow(statement_.situations[i], i, at, draws_.letters().front().name);
   }
 
   [[noreturn]] static void direction_changes(const Situation& situation, const ContactState& state) {
@@ -234,10 +250,12 @@ class ContactStates {
       require_sticking(states);
       const Statement tried = in_contact_states(statement_, states);
       try {
-        take(solve_(tried), states,
+        SolvedStatement solved = solve_(tried);
+        some_without_solution_ = some_without_solution_ || solved.solutions.empty();
+        take(std::move(solved), states,
              [&](const Solution& solution, States& found) { return holds(tried, solution, found); });
       } catch (const StatementError& error) {
-        if (!refusal_) refusal_ = error;
+        if (!senseless_) senseless_ = error;
       }
     }
   }
@@ -296,21 +314,10 @@ class ContactStates {
     if (solved.ended) result_.ended = solved.ended;
   }
 
-  static bool asks_acceleration(const Expression& quantity) {
-    const Call* call = quantity.as<Call>();
-    return (call && (call->function == "acceleration" || call->function == "angular_acceleration")) ||
-           any_child(quantity, asks_acceleration);
-  }
-  bool states_accelerations() const {
-    return std::ranges::any_of(statement_.situations, [](const Situation& situation) {
-      return std::ranges::any_of(situation.instants, [](const Instant& instant) {
-        return std::ranges::any_of(instant.facts, [](const Fact& fact) { return asks_acceleration(fact.quantity); });
-      });
-    });
-  }
-
   [[noreturn]] void none_holds(bool searched) const {
     if (refusal_) throw StatementError(*refusal_);
+    // What makes no sense in one state says nothing where another was looked through to its end.
+    if (senseless_ && !some_without_solution_) throw StatementError(*senseless_);
     if (const auto cord = cord_beyond_digits(statement_, settings_))
       fail(
           statement_.file, first_rough().friction->mark,
@@ -337,16 +344,18 @@ class ContactStates {
               "ask how far it holds: {smallest: T0, while: sticking(" + contact.name + ")}, or leave out the friction");
     if (searched || directions_sought_)
       fail(statement_.file, mark, "no state of the contacts with friction was found that holds",
-           "give the unknowns values, or name the directions in which contacts slide under directions:");
-    fail(statement_.file, mark,
-         "no state of the contacts with friction holds: sticking, sliding and parting each contradict Coulomb's law "
-         "here" +
-             std::string(draws_.none() ? "" : ", at all values that were tried for the letters"),
-         states_accelerations()
-             ? "leave stated accelerations to be found: friction is against the slip, and what is to roll along slides "
-               "if it is a particle"
-             : "rigid bodies with dry friction may have no solution (Painleve's paradox): reduce the friction, or "
-               "correct the data");
+           "give the unknowns values or narrower ranges under where:, or name the directions in which contacts slide "
+           "under directions:");
+    throw NoStateError(
+        statement_.file, mark,
+        "no state of the contacts with friction holds: sticking, sliding and parting each contradict Coulomb's law "
+        "here" +
+            std::string(draws_.none() ? "" : ", at all values that were tried for the letters"),
+        states_accelerations(statement_)
+            ? "leave stated accelerations to be found: friction is against the slip, and what is to roll along slides "
+              "if it is a particle"
+            : "rigid bodies with dry friction may have no solution (Painleve's paradox): reduce the friction, or "
+              "correct the data");
   }
 
   const Statement& statement_;
@@ -356,7 +365,9 @@ class ContactStates {
   SolvedStatement result_;
   std::vector<std::string> doubts_;
   bool directions_sought_ = false;
-  std::optional<StatementError> refusal_;
+  std::optional<StatementError> refusal_;    // of a state in which there is a solution
+  std::optional<StatementError> senseless_;  // of one in which there can be none
+  bool some_without_solution_ = false;       // whether a state was looked through in which there is none
 };
 
 // For limits up to which contacts stick: those that slip sliding, those at rest sticking. Where it is not known how
@@ -439,6 +450,14 @@ Statement in_contact_states(const Statement& statement, const std::vector<Contac
   return result;
 }
 
+std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
+  std::vector<FormulaValues> all(statement.situations.size());
+  for (const SolvedUnknown& unknown : solution.unknowns)
+    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i)
+      if (unknown.is_of(i)) all[i][unknown.own_name] = *unknown.formula;
+  return all;
+}
+
 std::vector<Settings> settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution) {
   std::vector<Settings> all(statement.situations.size(), settings);
   for (const SolvedUnknown& unknown : solution.unknowns)
@@ -449,7 +468,7 @@ std::vector<Settings> settings_of_root(const Statement& statement, const Setting
 
 SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings, const FormulaValues& exact,
                                      const std::function<SolvedStatement(const Statement&)>& solve) {
-  refuse_beside_friction(statement, settings);
+  refuse_beside_friction(statement);
   if (std::optional<SolvedStatement> rest = solve_without_refused(statement, solve)) return *std::move(rest);
   Statement limits = statement, others = statement;
   std::erase_if(limits.asks, [](const Ask& ask) { return !is_limit_of_states(ask); });

@@ -9,10 +9,17 @@
 #include <vector>
 
 #include "problem/formulas/formula_instant.h"
+#include "problem/language/diagnostic.h"
 #include "problem/machine/data.h"
 #include "problem/results/solution.h"
 
 namespace poinsot::problem {
+
+// No state of the contacts with friction holds, whatever is tried: rigid bodies with dry friction may have no motion.
+class NoStateError : public StatementError {
+ public:
+  using StatementError::StatementError;
+};
 
 // How far the values of letters spread at one draw after another, so that contacts come to stick and to slide, and how
 // often they are drawn.
@@ -27,9 +34,11 @@ Statement in_contact_states(const Statement& statement, const std::vector<Contac
 
 // The settings of each situation with the unknowns of a root.
 std::vector<Settings> settings_of_root(const Statement& statement, const Settings& settings, const Solution& solution);
+// The formulas of each situation for unknowns that depend on open letters.
+std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution);
 
-// Solves a statement in all states that hold, each by `solve`. exact: the settings, as formulas. Throws StatementError
-// where none does, and for what is not solved with friction.
+// Solves a statement in all states that hold, each by `solve`. exact: the settings, as formulas. Throws NoStateError
+// where none does, and StatementError for what is not solved with friction.
 SolvedStatement solve_contact_states(const Statement& statement, const Settings& settings, const FormulaValues& exact,
                                      const std::function<SolvedStatement(const Statement&)>& solve);
 

@@ -9,6 +9,7 @@
 #include "problem/language/diagnostic.h"
 #include "problem/language/evaluate_support.h"
 #include "problem/language/expression_walk.h"
+#include "problem/plane/planar_words.h"
 #include "problem/quantities/asks_model.h"
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
@@ -185,8 +186,8 @@ std::vector<std::string> axes_of_components(const Ask& ask, const Situation& sit
     axes.push_back(component->name);
     vectors.insert(to_string(component->object) + "@" + (at ? at->instant : ""));
   }
-  const bool both =
-      axes == std::vector{situation.axes[situation.plane->first], situation.axes[situation.plane->second]};
+  const bool both = axes == std::vector{situation.axes[component_axes(*situation.plane)[0]],
+                                        situation.axes[component_axes(*situation.plane)[1]]};
   return both && vectors.size() == 1 ? axes : std::vector<std::string>{};
 }
 

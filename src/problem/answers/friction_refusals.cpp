@@ -46,6 +46,12 @@ void refuse_situation(const Situation& situation) {
            "write gravity: -y or gravity: none");
 }
 
+bool asks_acceleration(const Expression& quantity) {
+  const Call* call = quantity.as<Call>();
+  return (call && (call->function == "acceleration" || call->function == "angular_acceleration")) ||
+         any_child(quantity, asks_acceleration);
+}
+
 }  // namespace
 
 namespace {
@@ -146,7 +152,7 @@ void refuse_unknown_functions(const Statement& statement, const Expression& expr
 
 }  // namespace
 
-void refuse_beside_friction(const Statement& statement, const Settings& settings) {
+void refuse_beside_friction(const Statement& statement) {
   for (const Situation& situation : statement.situations) {
     refuse_situation(situation);
     if (!situation.has_blow() || !situation.has_friction()) continue;
@@ -156,11 +162,6 @@ void refuse_beside_friction(const Statement& statement, const Settings& settings
            "with "
            "the letters",
            "ask for the quantity, or leave out the friction");
-    const std::vector<Letter> open = open_letters(statement, settings);
-    if (!open.empty())
-      fail(statement.file, std::ranges::find_if(situation.contacts, &Contact::rubs)->friction->mark,
-           "with friction, blows are solved for numbers, and '" + open.front().name + "' has no value",
-           "give the letters values by --set or under given:");
     for (const Ask& ask : statement.asks)
       if (is_limit_of_states(ask))
         fail(statement.file, ask.mark, "up to where contacts stick is not sought in a blow",
@@ -235,6 +236,14 @@ std::optional<std::string> cord_beyond_digits(const Statement& statement, const 
       // Letters may have no value.
     }
   return std::nullopt;
+}
+
+bool states_accelerations(const Statement& statement) {
+  return std::ranges::any_of(statement.situations, [](const Situation& situation) {
+    return std::ranges::any_of(situation.instants, [](const Instant& instant) {
+      return std::ranges::any_of(instant.facts, [](const Fact& fact) { return asks_acceleration(fact.quantity); });
+    });
+  });
 }
 
 }  // namespace poinsot::problem

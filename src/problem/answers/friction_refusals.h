@@ -13,7 +13,7 @@ namespace poinsot::problem {
 
 // Throws StatementError, which says which and why: for facts of later instants, steady motions and stability, and
 // claims.
-void refuse_beside_friction(const Statement& statement, const Settings& settings);
+void refuse_beside_friction(const Statement& statement);
 
 // Some questions are not answered beside friction, whatever the rest of the file is: tables over data beside unknowns,
 // and extrema but for limits of what contacts do. Where there are such, the answers to the others, with the reason at
@@ -32,5 +32,8 @@ bool is_limit_of_states(const Ask& ask);
 // A cord round a post one side of which may pull a billion times as hard as the other, so that no digits tell whether
 // it slips; nothing if there is none.
 std::optional<std::string> cord_beyond_digits(const Statement& statement, const Settings& settings);
+
+// Whether facts state accelerations, which friction may contradict.
+bool states_accelerations(const Statement& statement);
 
 }  // namespace poinsot::problem

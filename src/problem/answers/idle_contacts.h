@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "problem/entries/statement.h"
@@ -24,5 +25,11 @@ void add_joints_in_blow(const Situation& situation, std::size_t number, std::vec
 // is pressed and cannot.
 std::optional<std::vector<ContactState>> idle_in_blow(const Situation& situation, std::size_t number,
                                                       const Settings& settings);
+
+// The same of a blow in letters that neither presses nor lifts what has friction, at none of several values of the
+// letters: then friction has no impulse, whatever its coefficient. Throws StatementError elsewhere, which names one of
+// the letters.
+std::vector<ContactState> untouched_in_blow(const Situation& situation, std::size_t number,
+                                            const std::vector<Settings>& at, const std::string& letter);
 
 }  // namespace poinsot::problem

@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
-#include "problem/language/diagnostic.h"
-#include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
-#include "problem/results/compare_values.h"
-#include "problem/unknowns/situated.h"
 
 namespace poinsot::problem {
 namespace {
@@ -70,57 +65,6 @@ std::map<std::string, std::string> check_motions(Sample& sample, const std::func
     keep("motion_error", error->relative);
   }
   return doubts;
-}
-
-std::optional<std::string> uncertain_event(Sample& sample, const Ask& ask, const Value<double>& told) {
-  const Statement& statement = sample.statement();
-  const auto is_uncertain = [&](std::size_t situation, const Expression& condition, double time) {
-    const Comparison* comparison = condition.as<Comparison>();
-    if (!comparison || !(time > 0)) return false;
-    Course& motion = sample.motion(situation);
-    const std::optional<MotionError> error = motion.error(time);
-    if (!error) return false;
-    constexpr double of_time = 1e-3;
-    const auto is_within = [&](const Expression& left, const Expression& right, double at) {
-      const Value<double> a = motion.value(at, left, {}), b = motion.value(at, right, {});
-      if (!a.is_number() || !b.is_number()) return false;
-      const auto size = [&] {
-        return std::max({size_of(a), size_of(b), sample.instant_at(situation, 0).natural_size(a.dimension)});
-      };
-      const double off = a.dimension == dimensions::angle    ? error->angle
-                         : a.dimension == dimensions::length ? error->length
-                                                             : error->relative * size();
-      return std::abs(a.number - b.number) < off;
-    };
-    try {
-      for (std::size_t k = 0; k + 1 < comparison->operands.size(); ++k) {
-        const Expression &left = comparison->operands[k], &right = comparison->operands[k + 1];
-        if (is_within(left, right, time) && is_within(left, right, time * (1 - of_time)) &&
-            is_within(left, right, time * (1 + of_time)))
-          return true;
-      }
-    } catch (const StatementError&) {
-      // A motion that ends there cannot be looked at a little later.
-    }
-    return false;
-  };
-  try {
-    if (ask.when) {
-      const auto [situation, condition] = situated(statement, ask.when->condition);
-      for (const Value<double>& time : told.is_list() ? told.items : std::vector{told})
-        if (is_uncertain(situation, condition, time.number)) return to_string(condition);
-    }
-    std::set<std::string> names;
-    for (const Expression& asked : ask.of) collect_instants(asked, names);
-    for (std::size_t i = 0; i < statement.situations.size(); ++i)
-      for (const Instant& instant : statement.situations[i].instants)
-        if (instant.found_when && names.contains(instant.name) &&
-            is_uncertain(i, *instant.found_when, sample.motion(i).times(*instant.found_when, {}, 0, {}).front()))
-          return to_string(*instant.found_when);
-  } catch (const StatementError&) {
-    // What does not happen is told otherwise.
-  }
-  return std::nullopt;
 }
 
 }  // namespace poinsot::problem

@@ -19,8 +19,4 @@ inline constexpr double motion_tolerance = 1e-5;
 std::map<std::string, std::string> check_motions(Sample& sample, const std::function<void(const SolvedInstant&)>& look,
                                                  Solution& result);
 
-// Where an ask goes by when something happens, and the error of the motion lets that be off by a thousandth of the
-// time: what it is, in words. Close to an unstable equilibrium, where a motion creeps, a crossing may be none.
-std::optional<std::string> uncertain_event(Sample& sample, const Ask& ask, const Value<double>& told);
-
 }  // namespace poinsot::problem

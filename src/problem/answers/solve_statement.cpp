@@ -1,7 +1,6 @@
 #include "problem/answers/solve_statement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <set>
@@ -32,6 +31,7 @@
 #include "problem/quantities/describe.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/sample.h"
+#include "problem/unknowns/situated.h"
 #include "problem/unknowns/unknown_search.h"
 #include "problem/witness/attraction_bound.h"
 
@@ -44,6 +44,8 @@ constexpr int most_draws_for_answers = 12;
 // What does not happen where all letters are of the size of their units may where they differ.
 constexpr int wider_after_each = 2;
 constexpr Work most_work_for_answers = 800'000'000;
+// The search for roots at other letters takes as much as the solutions did, and this in any case.
+constexpr Work least_work_elsewhere = 100'000'000, most_work_elsewhere = 2'000'000'000;
 
 // Draws values for letters, finds the unknowns and answers the asks for each root.
 class StatementSolver {
@@ -106,6 +108,28 @@ class StatementSolver {
       if (!found.open.empty()) mark_what_unknowns_leave_open(found, solution);
       result.solutions.push_back(std::move(solution));
     }
+    if (!draws_.none() && found.open.empty() && !found.roots.empty()) add_solutions_elsewhere(result);
+  }
+
+  void add_solutions_elsewhere(SolvedStatement& result) {
+    const std::size_t most = 2 * result.solutions.size() + 2;
+    RootsElsewhere elsewhere(statement_, settings_, draws_.letters(), search_.unknowns(), draws_.settings(),
+                             std::clamp(work_done() - begin_, least_work_elsewhere, most_work_elsewhere));
+    while (const std::optional<AllSettings> root = elsewhere.next(result.solutions)) {
+      if (result.solutions.size() < most) {
+        Solution solution = solve_one(*root);
+        leave_to_letters(solution);
+        add_formulas(solution);
+        if (solution.refused || RootsElsewhere::repeats(solution, result.solutions)) continue;
+        if (elsewhere.stands_beside(solution)) {
+          result.solutions.push_back(std::move(solution));
+          continue;
+        }
+      }
+      result.warnings.push_back(elsewhere.words_of(*root));
+      break;
+    }
+    elsewhere.tell_where_there_is_none(result.solutions);
   }
 
   AnswersFound answers_found() { return {statement_, search_, base_, *sample_, asked_, natural_, *rounded_}; }
@@ -402,6 +426,7 @@ class StatementSolver {
   bool shown_;
   UnknownSearch search_;
   LetterDraws draws_;
+  const Work begin_ = work_done();
   AllSettings base_;
   bool refused_alike_ = true;  // whether all draws so far were refused for the same reason
   std::unique_ptr<Sample> sample_;
@@ -417,33 +442,9 @@ class StatementSolver {
   std::set<std::string> undetermined_;  // unknowns that a variation changes
 };
 
-// The statement without situations that only claims are about: their letters are not data of the questions.
-Statement for_questions(const Statement& statement) {
-  Statement result = statement;
-  std::erase_if(result.situations, [&](const Situation& situation) {
-    const bool claimed = std::any_of(statement.claims.begin(), statement.claims.end(),
-                                     [&](const Claim& claim) { return claim.situation == situation.name; });
-    return claimed && !situation.name.empty() &&
-           std::none_of(statement.asks.begin(), statement.asks.end(), [&](const Ask& ask) {
-             return ask.table || ask.when || (ask.extremum && ask.extremum->situation == situation.name) ||
-                    names_situation(ask, situation.name);
-           });
-  });
-  return result.situations.empty() ? statement : result;
-}
-
 std::size_t place_in(const Statement& statement, const std::string& situation) {
   const auto found = std::ranges::find(statement.situations, situation, &Situation::name);
   return static_cast<std::size_t>(found - statement.situations.begin());
-}
-
-// The formulas of each situation for unknowns that depend on open letters.
-std::vector<FormulaValues> formulas_of_root(const Statement& statement, const Solution& solution) {
-  std::vector<FormulaValues> all(statement.situations.size());
-  for (const SolvedUnknown& unknown : solution.unknowns)
-    for (std::size_t i = 0; i < all.size() && unknown.formula; ++i)
-      if (unknown.is_of(i)) all[i][unknown.own_name] = *unknown.formula;
-  return all;
 }
 
 }  // namespace

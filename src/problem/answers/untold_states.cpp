@@ -54,7 +54,8 @@ std::vector<std::string> untold_states(const Statement& statement, const Setting
     if (!is_assumed(statement, AllSettings(statement.situations.size(), drawn))) continue;
     for (std::size_t i = 0; i < statement.situations.size(); ++i) {
       const Situation& situation = statement.situations[i];
-      if (!situation.has_friction()) continue;
+      // A blow that is solved in letters touches none of them.
+      if (!situation.has_friction() || situation.has_blow()) continue;
       const std::string at = situation.name.empty() ? "" : " @ " + situation.name;
       try {
         HeldStates held = states_that_hold(situation, i, drawn, true);

@@ -12,6 +12,7 @@
 #include "poinsot/engine/work/budget.h"
 #include "problem/answers/letter_draws.h"
 #include "problem/cases/cases.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/instant/instant.h"
 #include "problem/language/diagnostic.h"
 #include "problem/machine/data.h"
@@ -110,9 +111,7 @@ bool CompiledCases::exists(const std::vector<double>& values) const {
     for (const auto& [name, value] : roots_[i]) own.try_emplace(name, value);
     for (const Unknown& unknown : situation.find) {
       const double unit = unknown.unit.factor;
-      own.try_emplace(unknown.name, unknown.vector
-                                        ? Value<double>::of_vector({unit, unit, unit}, unknown.unit.dimension)
-                                        : Value<double>::of_number(unit, unknown.unit.dimension));
+      own.try_emplace(unknown.name, value_of_unknown(unknown, {unit, unit, unit}, situation.plane));
     }
     // Beside unknowns that are those of another case what is stated of the instant need not hold. What is lenient with
     // such trials is with masses, too: so the machine is made by itself as well.

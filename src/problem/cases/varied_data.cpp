@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
 #include "problem/machine/data.h"
@@ -20,8 +21,7 @@ VariedDatum varied_datum(const Situation& situation, const NamedExpression& give
   for (const Letter& letter : situation.letters)
     ones[letter.name] = Value<double>::of_number(letter.unit.factor, letter.unit.dimension);
   for (const Unknown& unknown : situation.find)
-    ones[unknown.name] = unknown.vector ? Value<double>::of_vector({1, 1, 1}, unknown.unit.dimension)
-                                        : Value<double>::of_number(1, unknown.unit.dimension);
+    ones[unknown.name] = value_of_unknown(unknown, {1, 1, 1}, situation.plane);
   DataScope<double> data(situation, ones);
   const Value<double> value = data.value(given.value);
   if (!value.is_number())

@@ -20,8 +20,15 @@ constexpr int random_moves = 6;              // of all letters together, in each
 constexpr int neighbours = 6;                // of a find, at which it is looked at too
 constexpr double aside = 1e-5;          // of each letter: far more than moments are out of true by the rounding of data
 constexpr double margin_gained = 1e-9;  // a part of the margin; what gains less is the rounding of its two sides
+constexpr double leads_on = 1e-2;       // a part of the margin, or of what is left of it to one side
 
 bool is_angle(const Letter& letter) { return letter.unit.dimension == dimensions::angle; }
+
+// Whether an edge makes so much of a margin that steps as long as before may follow. Edges that do not would be met in
+// all rounds one after the other, each by a little. A margin near one is that of sides whose ratio counts.
+bool leads_on_from(double margin, double less) {
+  return less < (1 - leads_on) * margin || (margin < 1 && 1 - less > (1 + leads_on) * (1 - margin));
+}
 
 }  // namespace
 
@@ -113,12 +120,10 @@ void ClaimAttack::narrow(Place& place, std::size_t seed) {
     }
     const std::optional<Place> found = best_of(all, place.margin - margin_gained * std::abs(place.margin));
     if (limit_.spent()) return;
-    const bool better = found.has_value();
-    if (better) {
-      place = *found;
-      edges_tried = false;
-      if (place.margin <= 0) return;
-    }
+    const bool better = found && (which == Moves::steps || leads_on_from(place.margin, found->margin));
+    if (found) place = *found;
+    if (place.margin <= 0) return;
+    if (better) edges_tried = false;
     if (!better && which == Moves::edges) edges_tried = true;
     if (!better && edges_tried) step /= 4;
     which = better || edges_tried ? Moves::steps : Moves::edges;
@@ -127,7 +132,10 @@ void ClaimAttack::narrow(Place& place, std::size_t seed) {
 
 std::vector<Point> ClaimAttack::moves(const Point& from, double step, Moves which) const {
   std::vector<Point> all;
+  std::vector<double> met;  // values of a letter, of which a place like this has some more than once
   const auto add = [&](const Letter& letter, double value) {
+    if (std::ranges::find(met, value) != met.end()) return;
+    met.push_back(value);
     const double size = std::abs(value) / letter.unit.factor;
     const bool signed_or_angle = letter.either_sign || is_angle(letter);
     if (!std::isfinite(value) || size > farthest || (!signed_or_angle && !(size > 1 / farthest && value > 0))) return;
@@ -136,7 +144,9 @@ std::vector<Point> ClaimAttack::moves(const Point& from, double step, Moves whic
     all.push_back(std::move(moved));
   };
   for (const Letter& letter : letters_) {
+    if (read_ && !read_->contains(letter.name)) continue;
     const double value = from.at(letter.name);
+    met.assign(1, value);
     if (which == Moves::steps) {
       for (const double way : {step, -step}) add(letter, is_angle(letter) ? value + way : value * std::pow(10, way));
       continue;

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "poinsot/engine/work/work.h"
@@ -25,6 +28,9 @@ class ClaimAttack {
 
   ClaimAttack(std::vector<Letter> letters, Margin margin, MakesSense makes_sense, Work most);
 
+  // The letters that have a part in the margin, where that is known: to move another alone makes it no smaller.
+  void let_margin_read(std::set<std::string> letters) { read_ = std::move(letters); }
+
   // A point at which the claim fails; nothing if none was found.
   std::optional<Point> from(const std::vector<Point>& starts);
   std::size_t tried() const { return tried_; }
@@ -43,6 +49,7 @@ class ClaimAttack {
   std::vector<Point> moves(const Point& from, double step, Moves which) const;
 
   std::vector<Letter> letters_;  // by name
+  std::optional<std::set<std::string>> read_;
   Margin margin_;
   MakesSense makes_sense_;
   WorkLimit limit_;

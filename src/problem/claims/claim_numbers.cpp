@@ -50,13 +50,13 @@ class NumberTrier {
   NumberTrials run() {
     const WorkLimit limit(most_number_work);
     const int most = ground_.letters().empty() ? most_points_without_letters : most_solved_points;
-    ClaimFaults faults;
+    ClaimFaults faults, of_claim;
     for (int attempt = 0; attempt < most && !found_.refuted && !limit.spent(); ++attempt) {
       const Point point = draw_point(ground_.letters(), attempt, ground_.sizes());
       try {
         try_at(point, attempt);
       } catch (const StatementError& error) {
-        faults.note(error, point);
+        (judged_ ? of_claim : faults).note(error, point);
       }
     }
     // What is assumed may hold only at sizes that were not drawn.
@@ -73,8 +73,10 @@ class NumberTrier {
     // If the samples all failed before any assumption could be evaluated, the reason is not in the values, and it is
     // reported.
     const bool assumes = !claim_.assume.empty() || !situation_.assume.empty();
-    if (!found_.possible && !faults.empty() && !(understood_ && assumes))
-      throw StatementError(faults.most_frequent(ground_.letters()));
+    // What is wrong with the claim where there is such a machine says more than that most values are of none.
+    const ClaimFaults& chief = of_claim.empty() ? faults : of_claim;
+    if (!found_.possible && !chief.empty() && !(understood_ && assumes))
+      throw StatementError(chief.most_frequent(ground_.letters()));
     return std::move(found_);
   }
 
@@ -224,6 +226,7 @@ class NumberTrier {
   // Nothing where an assumption fails or rounding might decide on it, or contacts with friction are in other states.
   std::optional<Verdict> verdict_at(const Point& point, int attempt) {
     modes_ = 0;
+    judged_ = false;
     const Settings settings = ground_.with_letters(point);
     const OpenChoice choice = choice_of(attempt);
     SolvedInstant start(situation_, settings, When{0, situation_.has_blow()}, choice);
@@ -244,7 +247,7 @@ class NumberTrier {
     Verdict assumed;
     for (const Expression& expression : situation_.assume) judge(assumed, expression, std::nullopt);
     for (const Expression& expression : claim_.assume) judge(assumed, expression, claim_.axes);
-    understood_ = true;
+    understood_ = judged_ = true;
     just_assumed_ = assumed.close;
     if (!may_be_assumed(assumed) || !is_in_its_states(situation_, settings, start)) return std::nullopt;
     Verdict verdict;
@@ -297,6 +300,7 @@ class NumberTrier {
   const Claim& claim_;
   ClaimGround& ground_;
   bool understood_ = false;
+  bool judged_ = false;  // whether that was so at the point tried last, where the claim itself was looked at
   // Whether the claim may fail just where an assumption ends, and whether that has been looked at from a point.
   const bool ends_closed_ = (is_strict(claim_.of) || claims_stability(situation_, claim_)) &&
                             (has_closed_end(claim_.assume) || has_closed_end(situation_.assume));

@@ -228,12 +228,12 @@ class ClaimSolver {
     // Where numbers made sense last, and whether they did.
     std::optional<std::pair<Point, bool>> by_numbers;
     // A point is looked at twice, one time after the other.
-    std::optional<Point> last;
+    std::optional<Point> none_at;
     std::optional<ClaimTrials::Drawn> drawn;
     const auto draw = [&](const Point& free) {
-      if (last == free) return;
-      last = free;
+      if (drawn ? drawn->free == free : none_at == free) return;
       drawn = trials_->at(one, free);
+      if (!drawn) none_at = free;
     };
     ClaimAttack attack(
         trials_->free_letters(one),
@@ -254,6 +254,8 @@ class ClaimSolver {
           return drawn && ground_.verdict_at(claim_, formulas_->formulas(), drawn->point).has_value();
         },
         most_attack_work);
+    // Where the formulas hold all over, numbers have no part in it.
+    if (formulas_->decisions().signs.empty()) attack.let_margin_read(trials_->read_by_margin(one));
     std::vector<Point> from;
     for (const ClaimTrials::Drawn& start : starts)
       if (start.of == &one) from.push_back(start.free);

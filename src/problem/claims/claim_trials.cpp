@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "poinsot/engine/math/formula/certain_value.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
@@ -29,6 +30,20 @@ bool is_identity(const WorkedCase& one, const FormulaComparison& comparison) {
   } catch (const FormulaTooLarge&) {
     return false;
   }
+}
+
+// Whether a formula has the first digits of a value beside a point too, so that it does not vanish at what decimals the
+// letters of the point are: these are ten thousand times nearer.
+bool is_alike_beside(const Formula& x, const Point& at, double value) {
+  constexpr double beside = 1e-12, digits = 1e-3;  // parts of each letter and of the value
+  constexpr int neighbours = 2;
+  std::mt19937_64 random(9700);
+  for (int n = 0; n < neighbours; ++n) {
+    Point moved = at;
+    for (auto& [letter, number] : moved) number *= 1 + std::uniform_real_distribution<double>(-beside, beside)(random);
+    if (!(std::abs(near_value_at(x, moved) - value) < digits * std::abs(value))) return false;
+  }
+  return true;
 }
 
 // Where a line vanishes, the other letters being as at a point.
@@ -80,6 +95,17 @@ std::optional<double> ClaimTrials::margin(const Drawn& drawn) {
   return least;
 }
 
+std::set<std::string> ClaimTrials::read_by_margin(const WorkedCase& one) const {
+  std::set<std::string> read;
+  for (const ClaimTerm& term : formulas_.terms())
+    for (const Formula* side : {&term.comparison.left, &term.comparison.right})
+      for (std::string& letter : side->letters()) read.insert(std::move(letter));
+  for (const auto& [letter, value] : one.values())
+    if (read.contains(letter))
+      for (std::string& part : value.letters()) read.insert(std::move(part));
+  return read;
+}
+
 std::optional<ClaimTrials::Drawn> ClaimTrials::completed(const WorkedCase& one, Point free, bool edge) {
   Point all = free;
   for (const auto& [letter, value] : one.values()) {
@@ -108,10 +134,10 @@ std::optional<double> ClaimTrials::exactly(const FormulaComparison& comparison, 
     if (!known->second) return std::nullopt;
     // The letters of a point are the decimals that are read of it. Where that may matter, formulas are made of these.
     constexpr double decimal = 1e-13;
-    if (!drawn.edge)
-      if (const std::optional<double> certain = certain_value_at(*known->second, drawn.free);
-          certain && std::abs(*certain) > decimal * size)
-        return certain;
+    if (const std::optional<double> certain = certain_value_at(*known->second, drawn.free);
+        certain &&
+        (drawn.edge ? is_alike_beside(*known->second, drawn.free, *certain) : std::abs(*certain) > decimal * size))
+      return certain;
     std::map<std::string, Formula> numbers;
     for (const auto& [letter, value] : drawn.free) numbers[letter] = Formula(value);
     const Formula difference = poinsot::substituted(*known->second, numbers);

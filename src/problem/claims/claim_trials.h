@@ -4,6 +4,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,8 @@ class ClaimTrials {
   std::optional<Drawn> at(const WorkedCase& one, Point free) { return completed(one, std::move(free)); }
   // How far the claim is from failing at a point; nothing where a side has no value.
   std::optional<double> margin(const Drawn& drawn);
+  // The letters of a case that have a part in that.
+  std::set<std::string> read_by_margin(const WorkedCase& one) const;
 
   // Whether the claim holds at a point.
   Verdict verdict(const Drawn& drawn);

@@ -63,8 +63,8 @@ void decide_with_letter_for_gravity(const Statement& prepared, std::size_t k, co
   }
 }
 
-// A derivative by a letter is that of a formula, and of a letter with a value there is none. What holds for all values
-// of the letters holds at these.
+// A derivative by a letter is that of a formula, and of a letter with a value there is none; what a claim assumes may
+// not hold at the values that letters have. What holds for all values of the letters holds at these.
 void decide_for_all_letters(const Statement& prepared, std::size_t k, const Claim& claim, const Settings& settings,
                             const FormulaValues& exact, bool tell, SolvedClaim& solved) {
   const Situation& situation = prepared.situations[k];
@@ -80,7 +80,7 @@ void decide_for_all_letters(const Statement& prepared, std::size_t k, const Clai
   SolvedClaim told = solve_claim(prepared, k, claim, ground, tell);
   if (told.state == AskState::found && told.holds)
     solved = std::move(told);
-  else if (told.state == AskState::found)
+  else if (told.state == AskState::found && takes_derivatives(situation, claim))
     solved.reason =
         "it does not hold for all letters, and by letters that have values there is no derivative: leave them open";
 }
@@ -119,7 +119,7 @@ std::vector<SolvedClaim> solve_claims(const Statement& statement, const std::vec
       check_budget();
       ClaimGround& ground = grounds.try_emplace(k, situation, settings[k], exact, unknowns[k]).first->second;
       found = solve_claim(prepared, k, claim, ground, tell);
-      if (found.state != AskState::found && takes_derivatives(situation, claim))
+      if (found.state != AskState::found && (takes_derivatives(situation, claim) || !claim.assume.empty()))
         decide_for_all_letters(prepared, k, claim, settings[k], exact, tell, found);
       if (found.state == AskState::found && (tell || (found.holds && !found.proved)))
         decide_with_letter_for_gravity(prepared, k, claim, settings[k], exact, tell, found);

@@ -205,6 +205,9 @@ bool Course::dissipates() const {
   return !timed_ && machine.accelerations.empty() && !laws_feed(machine.mechanism) &&
          (laws_drain(machine.mechanism) || blows_drain);
 }
+bool Course::may_come_to_rest() const {
+  return situation_.has_friction() || std::ranges::any_of(situation_.contacts, &Contact::strikes_later);
+}
 bool Course::ends_in_center(double time) {
   // Of the distance at the start, and of the direction then, which what falls straight down keeps.
   constexpr double as_good_as_there = 1e-2, straight = 1e-8;

@@ -120,6 +120,7 @@ class Course : public FollowedMotion {
 
   // Whether the last stage has dampers and nothing that drives it.
   bool dissipates() const override;
+  bool may_come_to_rest() const override;
   bool has_springs() const override;
   bool rests_at(double time) const override { return rests_from_ && time >= *rests_from_ && time <= reached(); }
   bool ends_in_center(double time) override;
@@ -289,6 +290,7 @@ class Course : public FollowedMotion {
   [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
   [[noreturn]] void throw_slip(const StageRun& run) const;
   std::optional<solve::Scales> own_scales(const When& begins) const;
+  void measure_by_what_is_stated(std::vector<FactMisfit>& misfits) const;
   void set_pace(const MotionState& state);
   void follow_less_closely(Course& coarse) const;
   void tell_how(const ExtremeFound& found, const Call& call);

@@ -28,6 +28,8 @@ class FollowedMotion {
   virtual bool followed_enough(double until) const = 0;
   // Whether it loses energy in its last stage and nothing drives it; whether springs can bring it back.
   virtual bool dissipates() const = 0;
+  // Whether dry friction or blows may bring it to rest, which takes a finite time.
+  virtual bool may_come_to_rest() const { return false; }
   virtual bool has_springs() const = 0;
   // Whether nothing moves any more at a time to which it has been followed, nor ever will: friction holds it all.
   virtual bool rests_at(double /*time*/) const { return false; }

@@ -1,5 +1,6 @@
 // Facts about later instants and about the motion as a whole.
 #include <algorithm>
+#include <cmath>
 
 #include "problem/course/course.h"
 #include "problem/language/diagnostic.h"
@@ -66,7 +67,25 @@ std::vector<FactMisfit> Course::fact_misfits(double time, const std::vector<cons
   for (const Fact* fact : facts) sides.insert(sides.end(), {fact->quantity, fact->value});
   const MotionFeatureValues features = features_in(sides, std::nullopt);
   move_probe(at(time));
-  return probe_->fact_misfits(facts, features);
+  std::vector<FactMisfit> misfits = probe_->fact_misfits(facts, features);
+  if (!start_->scales().has_length) measure_by_what_is_stated(misfits);
+  return misfits;
+}
+
+// Particles in one place have no length. The way on which what pushes them changes their motion, by which it is
+// followed, grows beyond all bounds with unknowns that let them fly on, and a place that they miss would be near. So a
+// number is measured by what is stated of it, and zero by the largest that is stated beside it or by the metre.
+void Course::measure_by_what_is_stated(std::vector<FactMisfit>& misfits) const {
+  solve::Scales scales = start_->scales();
+  scales.length = 1;
+  for (FactMisfit& misfit : misfits) {
+    double unit = std::abs(misfit.stated);
+    for (const FactMisfit& other : misfits)
+      if (misfit.stated == 0 && other.dimension == misfit.dimension) unit = std::max(unit, std::abs(other.stated));
+    if (unit == 0) unit = natural_unit(scales, misfit.dimension);
+    misfit.value = (misfit.found - misfit.stated) / unit;
+    misfit.size = std::max(1.0, std::abs(misfit.found) / unit);
+  }
 }
 
 }  // namespace poinsot::problem

@@ -102,7 +102,11 @@ std::optional<ExtremeFound> MotionFeatures::met_twice(const NumberSamples& sampl
   // What the motion never comes back to, it has at its start.
   const double start = sampled.value.front();
   if (count >= 2 && sign * start > outermost + repeats_to * range) return ExtremeFound{start, sampled.time.front()};
-  return count >= 2 ? first : std::nullopt;
+  if (count < 2) return std::nullopt;
+  // What it comes back to but for the error of the way there, it has at its start to all digits.
+  constexpr double error_of_the_way = 1e-10;
+  if (std::abs(first->value - start) <= error_of_the_way * range) first->value = start;
+  return first;
 }
 
 // The largest or smallest value of a motion with an end, including both ends.
@@ -128,6 +132,27 @@ bool MotionFeatures::has_settled(const NumberSamples& sampled, bool largest, con
       std::minmax_element(sampled.value.begin() + static_cast<std::ptrdiff_t>(sampled.from(0.5)), sampled.value.end());
   const double width = *most - *least;
   return width <= 1e-3 * (high - low) && (largest ? best.value - *most : *least - best.value) > 2 * width;
+}
+
+// Whether an endless motion comes ever closer to an extreme and never there, as what falls in air to its last speed:
+// what is left falls to a hundredth in equal times, again and again. What arrives takes less and less time for that.
+bool MotionFeatures::is_approached(const NumberSamples& sampled, bool largest, double extreme) const {
+  if (motion_.may_come_to_rest()) return false;
+  const auto [low, high] = std::ranges::minmax(sampled.value);
+  const double range = high - low, sign = largest ? 1 : -1;
+  const auto left = [&](std::size_t i) { return sign * (extreme - sampled.value[i]); };
+  // The last sample that is as far from it as this part of the range.
+  const auto last_at = [&](double part) -> std::optional<std::size_t> {
+    for (std::size_t i = sampled.value.size(); i-- > 0;)
+      if (left(i) > part * range) return i;
+    return std::nullopt;
+  };
+  const auto far = last_at(1e-2), near = last_at(1e-4), nearest = last_at(1e-6);
+  if (!far || !near || !nearest || sampled.time[*nearest] > sampled.time.back() / 2) return false;
+  for (std::size_t i = *far; i < *nearest; ++i)
+    if (!(left(i + 1) < left(i))) return false;
+  constexpr double alike = 0.5;
+  return sampled.time[*nearest] - sampled.time[*near] > alike * (sampled.time[*near] - sampled.time[*far]);
 }
 
 // Whether the number grows or falls forever: it has gone farther than any part of the machine reaches, and no springs
@@ -214,9 +239,14 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
       if (std::abs(found.value) <= rest) found.value = 0;
       return found;
     };
-    if (wanted && met_twice(sampled, !largest, *high - *low)) return without_rest(*wanted);
+    const auto told = [&](const ExtremeFound& best) {
+      ExtremeFound found = without_rest(best);
+      found.approached = !end && is_approached(sampled, largest, best.value);
+      return found;
+    };
+    if (wanted && met_twice(sampled, !largest, *high - *low)) return told(*wanted);
     if (until <= long_enough * motion_.pace_time()) continue;
-    if (motion_.rests_at(until)) return without_rest(outermost(sampled, largest));
+    if (motion_.rests_at(until)) return told(outermost(sampled, largest));
     if (goes_away(sampled, largest))
       number_.unanswered(std::string(" goes on ") + (largest ? "growing" : "falling") +
                              " in an endless motion: it has no " + (largest ? "largest" : "smallest") + " value",
@@ -237,6 +267,15 @@ ExtremeFound MotionFeatures::extreme(bool largest) const {
                          (end ? "so long a" : "an endless") + " motion it has no " +
                          (largest ? "largest" : "smallest") + " value that could be told",
                      end ? "let it last shorter" : ending);
+}
+
+std::string in_words(const ExtremeFound& found) {
+  if (found.fallen > 0)
+    return " was told up to " + with_digits(found.fallen, 6) + " s, where the motion ends in the center that pulls";
+  if (found.approached) return " is a limit: the motion comes ever closer to it and never there";
+  if (found.settled > 0)
+    return " was told from " + with_digits(found.settled, 4) + " s of a motion that does not repeat";
+  return "";
 }
 
 ExtremeFound MotionFeatures::largest() const { return note(extreme(true)); }

@@ -48,6 +48,7 @@ class MotionFeatures {
   std::optional<double> fall_before(double until) const;
   ExtremeFound outermost(const NumberSamples& sampled, bool largest) const;
   bool has_settled(const NumberSamples& sampled, bool largest, const ExtremeFound& best) const;
+  bool is_approached(const NumberSamples& sampled, bool largest, double extreme) const;
   bool is_sudden(const NumberSamples& sampled, std::size_t from) const;
   bool goes_away(const NumberSamples& sampled, bool upwards) const;
   ExtremeFound note(const ExtremeFound& found) const {

@@ -473,22 +473,4 @@ double Course::Piece::largest_kinetic_energy(const Trajectory& way) {
   return way.empty() ? largest : std::max(largest, at(way.end_time()));
 }
 
-IntegrationResult Course::Piece::follow(double end, Work most) {
-  IntegrationOptions options;
-  options.tolerance = motion_.tolerance_;
-  options.most_steps = most_steps;
-  options.work = std::max<Work>(most, 1);
-  options.largest_step = span_.largest_step;
-  // A short flight after a blow must not be stepped over.
-  if (now_.flight > 0)
-    options.largest_step = options.largest_step > 0 ? std::min(options.largest_step, now_.flight / 4) : now_.flight / 4;
-  if (lone_) {
-    IntegrationOptions fine = options;
-    fine.largest_step = now_.flight > 0 ? std::min(motion_.pace_time_, now_.flight / 4) : motion_.pace_time_;
-    if (auto by_itself = lone_->follow(equations_, now_.time, now_.q, now_.v, end, fine, events_)) return *by_itself;
-  }
-  if (still_) std::ranges::fill(now_.v, 0.0);
-  return integrate(equations_, now_.time, now_.q, now_.v, end, options, events_);
-}
-
 }  // namespace poinsot::problem

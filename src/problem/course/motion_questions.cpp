@@ -316,19 +316,13 @@ MotionFeatureValues Course::features_in(const std::vector<Expression>& expressio
 }
 
 void Course::tell_how(const ExtremeFound& found, const Call& call) {
-  const std::string words = call.function + "(" + to_string(call.arguments.front().value) + ")";
   constexpr double rounding_of_times = 1e-12;  // which are sums over the steps
-  std::string note;
-  if (found.fallen > 0) {
-    note = words + " was told up to " + with_digits(found.fallen, 6) +
-           " s, where the motion ends in the center that pulls";
-  } else if (found.settled > 0) {
-    note = words + " was told from " + with_digits(found.settled, 4) + " s of a motion that does not repeat";
-  } else if (const std::optional<double> last = end();
-             last && found.time > 0 && found.time >= *last * (1 - rounding_of_times)) {
-    note = words + " is at the end of the motion, at " + with_digits(*last, 4) + " s";
-  }
-  if (!note.empty() && std::ranges::find(happenings_, note) == happenings_.end()) happenings_.push_back(note);
+  std::string how = in_words(found);
+  if (how.empty())
+    if (const std::optional<double> last = end();
+        last && found.time > 0 && found.time >= *last * (1 - rounding_of_times))
+      how = " is at the end of the motion, at " + with_digits(*last, 4) + " s";
+  if (!how.empty()) add_once(happenings_, call.function + "(" + to_string(call.arguments.front().value) + ")" + how);
 }
 
 std::vector<double> Course::times(const Expression& condition, const std::optional<Expression>& axes, double from,

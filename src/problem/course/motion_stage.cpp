@@ -254,7 +254,7 @@ void Course::keep(std::size_t stage, const std::shared_ptr<Piece>& kept, Integra
                             words_of(stage) + " comes at " + with_digits(result.time, 6) + " s to a pose in which " +
                                 *lock + ", and is followed no farther",
                             beside_gimbal_lock);
-  const std::string steps = ": that took " + std::to_string(Piece::most_steps) + " steps";
+  const std::string steps = ": that took " + std::to_string(result.statistics.steps) + " steps";
   if (result.ending == Ending::step_limit && result.closed_form)
     throw UnansweredError(situation_.file, mark_of(stage),
                           "how often the angles go round is counted turn by turn, in " + words_of(stage) +

@@ -20,9 +20,14 @@ struct ExtremeFound {
   // For an endless motion that does not repeat: the time at which it was clear that no later value exceeds this one,
   // s.
   double settled = 0;
+  // Whether the motion comes ever closer to this value and never there.
+  bool approached = false;
   // Of a motion that ends in the center that pulls it: when, s.
   double fallen = 0;
 };
+
+// What is to be said of how an extreme of an endless motion was told, after its name; "" if nothing.
+std::string in_words(const ExtremeFound& found);
 
 // What tells where a number has a corner: a number that is smooth along the motion has a zero there, or an extreme.
 struct CornerInTime {

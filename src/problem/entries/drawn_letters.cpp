@@ -104,4 +104,12 @@ double drawn_near(double value, std::mt19937_64& random) {
   return value * std::uniform_real_distribution<double>(0.8, 1.25)(random);
 }
 
+Value<double> value_of_unknown(const Unknown& unknown, const Vector3<double>& components,
+                               const std::optional<MotionPlane>& plane) {
+  if (!unknown.vector) return Value<double>::of_number(components.x, unknown.unit.dimension);
+  Value<double> value = Value<double>::of_vector(components, unknown.unit.dimension);
+  if (plane) value.vector[plane->normal()] = 0;
+  return value;
+}
+
 }  // namespace poinsot::problem

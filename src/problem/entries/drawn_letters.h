@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "problem/entries/statement.h"
+#include "problem/language/value.h"
 
 namespace poinsot::problem {
 
@@ -36,6 +38,11 @@ constexpr std::uint64_t seed_of_draws = 1000;
 // A value of about the size of the letter's unit; of an angle, between 0.2 and 1.2 rad. With a larger spread it lies
 // farther from that size, for a statement that makes no sense near it, but never beyond four decades.
 double drawn_letter(const Letter& letter, std::mt19937_64& random, int spread = 0);
+
+// What an unknown is with a number in its place, or of a vector with these components. A planar problem has none across
+// its plane. SI units.
+Value<double> value_of_unknown(const Unknown& unknown, const Vector3<double>& components,
+                               const std::optional<MotionPlane>& plane);
 
 // A value near one at which a statement has an answer.
 double drawn_near(double value, std::mt19937_64& random);

@@ -10,6 +10,7 @@
 #include "problem/equations/rough_states.h"
 #include "problem/equations/traced_machine.h"
 #include "problem/language/diagnostic.h"
+#include "problem/language/words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -279,7 +280,7 @@ std::vector<std::string> assumptions(const TracedMachine& machine) {
     };
     if (!formula.outputs()[0].negative && std::all_of(formula.steps().begin(), formula.steps().end(), by_nature))
       continue;
-    lines.push_back(formula.operations() > longest_assumption
+    add_once(lines, formula.operations() > longest_assumption
                         ? "as long as no root passes through zero on the way from the pose as drawn"
                         : "for " + formula_text(formula, machine.inputs) + " > 0");
   }

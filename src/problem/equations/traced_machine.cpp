@@ -116,8 +116,7 @@ class Names {
     for (const Letter& letter : situation_.letters)
       ones[letter.name] = Value<double>::of_number(1, letter.unit.dimension);
     for (const Unknown& unknown : situation_.find)
-      ones[unknown.name] = unknown.vector ? Value<double>::of_vector({1, 1, 1}, unknown.unit.dimension)
-                                          : Value<double>::of_number(1, unknown.unit.dimension);
+      ones[unknown.name] = value_of_unknown(unknown, {1, 1, 1}, situation_.plane);
     DataScope<double> data(situation_, ones);
     return data.value(item.value);
   }

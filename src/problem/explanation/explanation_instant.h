@@ -257,7 +257,6 @@ class InstantExplainer {
   bool sudden() const { return figures_.numbers.before.has_value(); }
   const Mechanism<double>& mechanism() const { return figures_.numbers.mechanism(); }
   ExplainedSection& section(const std::string& heading);
-  std::string impulse_mark() const { return sudden() ? "\\,\\Delta t" : ""; }
 
   const Situation& situation_;
   SolvedInstant& solved_;

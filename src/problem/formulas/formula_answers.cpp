@@ -118,7 +118,28 @@ DecidedFormula FormulaAnswers::value(const Ask& ask) {
   return found;
 }
 
-std::vector<Formula> FormulaAnswers::signs_of_word(const Ask& ask) { return decided(ask).signs; }
+std::vector<Formula> FormulaAnswers::signs_of_word(const Ask& ask) {
+  std::vector<Formula> signs = decided(ask).signs;
+  // What decides an inequality is how much larger one side is.
+  for (const Expression& expression : ask.of) {
+    const Comparison* comparison = expression.as<Comparison>();
+    for (std::size_t k = 0; comparison && k < comparison->relations.size(); ++k) {
+      const auto side = [&](std::size_t operand) {
+        Ask of_side = ask;
+        of_side.of = {comparison->operands[operand]};
+        of_side.is_list = false;
+        DecidedFormula found = decided(of_side);
+        if (!found.value.is_number()) throw NoFormula("what is compared is no number");
+        signs.insert(signs.end(), found.signs.begin(), found.signs.end());
+        return found.value.number;
+      };
+      const Formula difference = side(k + 1) - side(k);
+      if (difference.is_zero()) throw NoFormula("both sides are the same whatever the letters are");
+      signs.push_back(difference);
+    }
+  }
+  return signs;
+}
 
 DecidedFormula FormulaAnswers::decided(const Ask& ask) {
   if (ask.table || ask.when || ask.extremum) throw NoFormula("it is found by numbers");
@@ -208,7 +229,8 @@ void FormulaAnswers::add_state_conditions(std::vector<OneSidedForce>& forces) {
   or_no_formula([&] {
     for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
       const Sample::Home home = numbers_.start_of(i);
-      if (!statement_.situations[i].has_friction()) continue;
+      // A blow that is solved in letters touches none of them (answers/idle_contacts.h).
+      if (!statement_.situations[i].has_friction() || statement_.situations[i].has_blow()) continue;
       FormulaInstant& start = instant(home);
       start.solve_forces();
       SolvedInstant& numbers = numbers_.instant(home);

@@ -7,6 +7,7 @@
 #include "poinsot/engine/math/formula/formula_domain.h"
 #include "poinsot/engine/math/formula/formula_sign.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_search.h"
 #include "problem/formulas/formula_words.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/expression.h"
@@ -235,6 +236,13 @@ void hold_conditions_as_told(const std::vector<Letter>& letters, const LetterVal
         take_back(ask);
     }
   }
+}
+
+std::optional<Formula> inside_behind(const Formula& sign, const std::vector<UnknownFormula>& unknowns) {
+  for (const UnknownFormula& unknown : unknowns)
+    for (const Formula& inside : domain_of(unknown.value))
+      if (const SeenSign ratio = seen_sign(sign / inside); ratio.sign > 0 && ratio.strict) return inside;
+  return std::nullopt;
 }
 
 }  // namespace poinsot::problem

@@ -19,6 +19,7 @@ namespace poinsot::problem {
 FormulaInstant::FormulaInstant(const Situation& situation, const FormulaValues& values, const SolvedInstant& numbers,
                                OpenLetters* open, FormulaLinearSolve linear_solve)
     : situation_(situation), numbers_(numbers), open_(open), linear_solve_(std::move(linear_solve)) {
+  const DecidedSizesScope lengths(decides_lengths());
   if (open_ && follows_time(situation)) {
     time_ = Formula::letter("time", poinsot::Sign::positive);
     open_->made.push_back({"time", si_unit(dimensions::time), {}});
@@ -56,8 +57,15 @@ InstantView<Formula> FormulaInstant::view() const {
 // On which side of a round body it touches is seen in the pose as drawn: the lowest point of a disk tilted by b lies
 // r |cos(b)| below its center, which is r cos(b) for tilts like the one drawn. What is open for claims is any pose.
 bool FormulaInstant::decides_sizes() const {
-  return !open_ && std::ranges::any_of(machine_.mechanism.constraints,
-                                       [](const VelocityConstraint<Formula>& c) { return moves_over_surfaces(c); });
+  return decides_lengths() ||
+         (!open_ && std::ranges::any_of(machine_.mechanism.constraints,
+                                        [](const VelocityConstraint<Formula>& c) { return moves_over_surfaces(c); }));
+}
+
+// So is the way of a cord from one wheel to the other side of another, sqrt(d^2 - (r + s)^2) long, which is h where
+// it hangs straight down by h.
+bool FormulaInstant::decides_lengths() const {
+  return !open_ && (!situation_.belts.empty() || std::ranges::any_of(situation_.cords, &Cord::is_led));
 }
 
 // Makes letters of coordinates without value. The pose of a free body or ball has three: it is the quaternion (1, a,
@@ -420,6 +428,7 @@ const QuantityScope<Formula>& FormulaInstant::present_scope() {
   if (!present_ || present_->with_forces != forces_solved_ || present_->noted != noted) {
     std::optional<DecisionScope> decisions;
     if (noted) decisions.emplace();
+    const DecidedSizesScope sizes(decides_sizes());
     QuantityScope<Formula> scope(machine_, before_ ? machine_.tree_after_blow() : machine_.mechanism.tree, *data_,
                                  State<Formula>{machine_.q, v_});
     if (!situation_.strikes.empty())

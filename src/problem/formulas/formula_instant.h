@@ -72,6 +72,7 @@ class FormulaInstant {
 
  private:
   bool decides_sizes() const;
+  bool decides_lengths() const;
   void set_positions(const std::vector<const Instant*>& instants);
   void open_positions();
   void open_places();

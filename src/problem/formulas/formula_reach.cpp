@@ -37,19 +37,6 @@ struct FarPoint {
   std::string only;
 };
 
-// The same within half a decade of the ordinary values, where moments of inertia still are those of a body.
-LetterValues near_point(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan,
-                        std::size_t index) {
-  LetterValues values = scan.point(index);
-  for (const Letter& letter : open) {
-    double& value = values[letter.name];
-    const double ordinary = std::abs(base.at(letter.name));
-    if (!is_angle(letter) && ordinary > 0)
-      value = std::copysign(ordinary * std::pow(std::abs(value) / ordinary, 1.0 / 6), value);
-  }
-  return values;
-}
-
 std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterValues& base, const LetterScan& scan) {
   std::vector<FarPoint> single;
   for (const Letter& letter : open) {
@@ -68,7 +55,7 @@ std::vector<FarPoint> far_points(const std::vector<Letter>& open, const LetterVa
   }
   std::vector<FarPoint> points;
   for (std::size_t k = 0; k < most_scanned; ++k) points.push_back({scan.point(k), ""});
-  for (std::size_t k = 0; k < most_near; ++k) points.push_back({near_point(open, base, scan, k), ""});
+  for (std::size_t k = 0; k < most_near; ++k) points.push_back({scan.near(k), ""});
   if (points.size() + single.size() > most_points) {
     std::mt19937_64 random(6100);
     std::shuffle(single.begin(), single.end(), random);
@@ -164,7 +151,7 @@ class FarSearch {
       } catch (const StatementError&) {
         // Either the statement makes no sense at this point, or what it states cannot be with these unknowns.
         if (has_formula(i) && is_in_states(point.letters) && numbers_would_tell(point.letters) &&
-            makes_sense_but_for_what_is_stated(*settings, i))
+            !assume_where_negative(point.letters) && makes_sense_but_for_what_is_stated(*settings, i))
           disagree(i, point);
       } catch (const std::domain_error&) {
         disagree(i, point);
@@ -225,8 +212,8 @@ class FarSearch {
     if (!at_instant_[i] || (!fixed && !solved.formula)) return;
     if (solved.state != AskState::found && solved.state != AskState::needs_letters) return;
     const Value<double> value = asked_value(sample, ask);
-    // A word is told of the letters that are assumed.
-    if (is_word(value) && !is_assumed(task_.statement, sample.settings())) return;
+    // A word or a truth is told of the letters that are assumed.
+    if ((is_word(value) || is_decided_truth(ask, value)) && !is_assumed(task_.statement, sample.settings())) return;
     SolvedInstant& instant = sample.instant_of(ask);
     if (instant.forces_solved() && assume_physical(instant, sample.home(ask.of.front(), ask.mark), point.letters))
       return;
@@ -288,7 +275,7 @@ class FarSearch {
     const auto look = [&](bool alone, bool far) {
       for (std::size_t i = 0; i < condition_points && confirmations < most_confirmations; ++i) {
         if (condition.needed) return;
-        const LetterValues letters = far ? scan_.point(most_scanned + i) : near_point(task_.open, base_, scan_, i);
+        const LetterValues letters = far ? scan_.point(most_scanned + i) : scan_.near(i);
         if (!fails(condition, letters)) continue;
         // To look at a bound takes the formula alone. What was not looked at is told.
         if (limit_.spent() && !condition.bound) {
@@ -337,6 +324,17 @@ class FarSearch {
           }))
         assume(holding_words(name_of(instant, fault), fault.broken), home, letters);
     return !faults.empty();
+  }
+
+  // The same by the formulas of the forces, where numbers tell nothing.
+  bool assume_where_negative(const LetterValues& letters) {
+    bool any = false;
+    for (const OneSidedForce& force : grounds_.forces) {
+      if (force.of_state || !(value_at(force.value, letters) < 0)) continue;
+      any = true;
+      assume(force.assumption, force.home, letters);
+    }
+    return any;
   }
 
   // Adds an assumption, and tells with the formula of the force where it is known not to hold.

@@ -17,7 +17,9 @@
 namespace poinsot::problem {
 namespace {
 
-constexpr std::size_t regime_points = 250;   // points at which the conditions of all formulas are looked at
+constexpr std::size_t near_points = 50;      // points near the ordinary values at which conditions are looked at
+constexpr std::size_t regime_points = 300;   // the same with those all over their decades
+constexpr std::size_t most_held = 60;        // of these, at which the only formula told is held against numbers
 constexpr std::size_t most_formulas = 6;     // of one answer
 constexpr std::size_t most_places = 8;       // to find one more, each from another point
 constexpr double same_branch = 1e-6;         // relative difference of numbers on one branch
@@ -120,7 +122,7 @@ class RegimeSearch {
     std::optional<LetterValues> without;  // letters at which there is an answer, and no formula
     std::size_t attempts = 0;
     for (std::size_t n = 0; n < regime_points; ++n) {
-      const LetterValues letters = scan_.point(n);
+      const LetterValues letters = point(n);
       if (on_border(regimes, letters) ||
           std::ranges::any_of(regimes, [&](const Regime& one) { return covers(one, letters); }))
         continue;
@@ -154,16 +156,24 @@ class RegimeSearch {
     if (without) tell_rest(i, *without);
   }
 
-  // Where the conditions of several formulas hold, these agree; else numbers tell which is wrong, and its conditions
-  // with it.
+  // Near the ordinary values first: from far off, where one letter is next to nothing beside another, the borders of a
+  // formula with others are seldom met.
+  LetterValues point(std::size_t n) const { return n < near_points ? scan_.near(n) : scan_.point(n - near_points); }
+
+  // Where the conditions of several formulas hold, these agree, and where those of one do, it is right; else numbers
+  // tell which is wrong, and its conditions with it.
   void hold_together(std::size_t i, std::vector<Regime>& regimes) const {
+    std::size_t alone = 0;
     for (std::size_t n = 0; n < regime_points; ++n) {
-      const LetterValues letters = scan_.point(n);
-      if (std::ranges::count_if(regimes, [&](const Regime& one) { return covers(one, letters); }) < 2) continue;
+      const LetterValues letters = point(n);
+      const auto covering = std::ranges::count_if(regimes, [&](const Regime& one) { return covers(one, letters); });
+      if (covering == 0 || (covering == 1 && (alone == most_held || limit_.spent()))) continue;
       const std::optional<Place> place = place_at(letters, i);
       if (!place) continue;
+      if (covering == 1) ++alone;
       const double natural = natural_size(*place, i);
       const auto wrong = [&](const Regime& one) { return covers(one, letters) && !fits(one.formula, *place, natural); };
+      if (covering == 1 && std::ranges::any_of(regimes, wrong) && !confirmed_by_particles(*place->sample)) continue;
       if (wrong(regimes.front())) {
         take_back(i, regimes);
         regimes.clear();
@@ -349,8 +359,10 @@ void find_regimes(const FormulaTask& task, const FormulaGrounds& grounds, std::v
 void tell_conditions(const FormulaTask& task, const FormulaGrounds& grounds, const std::vector<HeldCondition>& held,
                      Solution& solution) {
   // of: whose formulas it is said to be of, "" if of all.
+  const std::vector<Formula> assumed = assumed_positive(task);
   const auto tell = [&](const std::string& inequality, const std::string& of, const std::vector<std::size_t>& asks,
                         const Formula& positive) {
+    if (is_assumed_positive(positive, assumed)) return;
     const std::string words = of.empty() ? inequality : inequality + " for " + of;
     if (std::ranges::find(solution.assumptions, words) == solution.assumptions.end())
       solution.assumptions.push_back(words);

@@ -10,7 +10,7 @@
 #include "problem/formulas/formula_conditions.h"
 #include "problem/formulas/formula_unknowns.h"
 #include "problem/formulas/law_search.h"
-#include "problem/formulas/letter_scan.h"
+#include "problem/plane/planar_words.h"
 #include "problem/quantities/quantity_functions.h"
 #include "problem/results/compare_values.h"
 #include "problem/unknowns/asked_value.h"
@@ -64,7 +64,7 @@ class FormulaSearch {
       SolvedAsk& ask = solution_.asks[i];
       if (ask.state != AskState::found && ask.state != AskState::needs_letters) continue;
       const auto reason = why_no_formula([&] {
-        if (is_word(ask.value)) return decide_word(i);
+        if (is_word(ask.value) || is_decided_truth(task_.statement.asks[i], ask.value)) return decide_word(i);
         Value<Formula> formula = formula_of_ask(i);
         for (const std::string& assumption : assumptions_of(formula)) assumptions.insert(assumption);
         ask.formula = std::move(formula);
@@ -73,12 +73,29 @@ class FormulaSearch {
       if (reason) ask.no_formula = *reason;
     }
     solution_.assumptions.assign(assumptions.begin(), assumptions.end());
-    for (const Formula& leading : leading_)
-      for (const auto& [words, factor] : not_zero_conditions(numerator(leading), task_.open)) {
-        if (std::ranges::find(solution_.assumptions, words) != solution_.assumptions.end()) continue;
-        solution_.assumptions.push_back(words);
-        solution_.grounds.push_back({words, factor * factor});
-      }
+    for (const Formula& leading : leading_) tell_not_zero(leading, "", {});
+    for (const auto& [i, positive] : strict_)
+      tell_positive(positive, count == 1 ? "" : " for '" + task_.statement.asks[i].name + "'", {i});
+  }
+
+  // That a formula does not vanish. of: of which answers, in words, and their places; of all if none are named.
+  void tell_not_zero(const Formula& x, const std::string& of, const std::vector<std::size_t>& asks) {
+    const std::vector<Formula> assumed = assumed_positive(task_);
+    for (const auto& [words, factor] : not_zero_conditions(numerator(x), task_.open))
+      if (!is_assumed_positive(factor, assumed) && !is_assumed_positive(-factor, assumed))
+        tell(words, of, factor * factor, asks);
+  }
+  void tell_positive(const Formula& x, const std::string& of, const std::vector<std::size_t>& asks) {
+    if (seen_sign(x).sign > 0) return tell_not_zero(x, of, asks);
+    tell(condition_words(x, task_.open), of, x, asks);
+  }
+  // What is told of all answers need not be told of some.
+  void tell(const std::string& words, const std::string& of, const Formula& positive,
+            const std::vector<std::size_t>& asks) {
+    for (const std::string& told : {words, words + of})
+      if (std::ranges::find(solution_.assumptions, told) != solution_.assumptions.end()) return;
+    solution_.assumptions.push_back(words + of);
+    solution_.grounds.push_back({words + of, positive, "", asks});
   }
 
   FormulaGrounds grounds() {
@@ -108,12 +125,24 @@ class FormulaSearch {
  private:
   Value<Formula> formula_of_ask(std::size_t i) {
     const Ask& ask = task_.statement.asks[i];
-    const DecidedFormula found = answers_.value(ask);
+    const DecidedFormula found = answers_of(ask).value(ask);
     Value<Formula> formula = in_letters(found.value);
     require_no_remainders();
     grounds_.signs[i] = positive(found.signs);
     confirm(formula, i);
     return formula;
+  }
+
+  // That a motion is steady shows only with the unknowns as they were found.
+  FormulaAnswers& answers_of(const Ask& ask) {
+    if (unknowns_.empty() || std::ranges::none_of(ask.of, asks_stability)) return answers_;
+    if (!found_answers_) {
+      found_values_ = values_;
+      for (FormulaValues& values : found_values_)
+        for (auto& [name, value] : values) value = in_letters(value);
+      found_answers_.emplace(task_.statement, found_values_, task_.sample);
+    }
+    return *found_answers_;
   }
 
   void require_no_remainders() const {
@@ -126,12 +155,24 @@ class FormulaSearch {
   // A word is the same for all letters if no sign that decides it can change.
   void decide_word(std::size_t i) {
     SolvedAsk& ask = solution_.asks[i];
-    const std::vector<Formula> signs = positive(answers_.signs_of_word(task_.statement.asks[i]));
+    const std::vector<Formula> decided = answers_of(task_.statement.asks[i]).signs_of_word(task_.statement.asks[i]);
     require_no_remainders();
+    if (std::ranges::any_of(decided, [&](const Formula& x) { return substituted(x, unknowns_).is_zero(); }))
+      throw NoFormula("both sides are the same whatever the letters are");
+    const std::vector<Formula> signs = positive(decided);
     const bool assuming = std::ranges::any_of(task_.statement.situations,
                                               [](const Situation& situation) { return !situation.assume.empty(); });
-    if (std::ranges::any_of(signs, [](const Formula& sign) { return seen_sign(sign).sign <= 0; }) &&
-        !(assuming && positive_where_assumed(signs)))
+    std::vector<Formula> open, strict;
+    for (const Formula& sign : signs) {
+      const SeenSign seen = seen_sign(sign);
+      if (seen.sign > 0 && !seen.strict) strict.push_back(sign);
+      if (seen.sign > 0) continue;
+      if (const std::optional<Formula> inside = inside_behind(sign, grounds_.unknowns))
+        strict.push_back(*inside);
+      else
+        open.push_back(sign);
+    }
+    if (!open.empty() && !(assuming && positive_where_assumed(task_, open, !ask.value.is_boolean())))
       throw NoFormula(assuming ? "it is not the same for all letters that are assumed"
                                : "it is not the same for all letters");
     while (checkpoints_.size() <= draws) draw();
@@ -139,51 +180,9 @@ class FormulaSearch {
       if (is_assumed(task_.statement, point.sample->settings()) &&
           !same(ask.value, asked_value(*point.sample, task_.statement.asks[i]), 0))
         throw NoFormula("it is not the same for all letters");
+    for (const Formula& one : strict) strict_.emplace_back(i, one);
     ask.letters.clear();
     ask.state = AskState::found;
-  }
-
-  // Whether signs that decide a word keep it for all letters that are assumed, as far as letters show that lie all over
-  // six decades and where what is assumed just holds.
-  bool positive_where_assumed(const std::vector<Formula>& signs) const {
-    constexpr std::size_t points = 20'000, enough = 300, most = 1000, led_to_edges = 30;
-    const LetterScan scan(task_.open, letters_of(task_.settings.front()));
-    std::size_t assumed = 0;
-    for (std::size_t n = 0; n < points && assumed < most; ++n) {
-      const LetterValues there = scan.point(n);
-      if (!is_assumed(task_.statement, settings_at(there))) continue;
-      if (++assumed <= led_to_edges && !positive_to_the_edges(signs, there)) return false;
-      if (!all_positive(signs, there)) return false;
-    }
-    return assumed >= enough;
-  }
-  // What turns a sign may be too narrow to be met by chance; it lies where what is assumed just holds.
-  bool positive_to_the_edges(const std::vector<Formula>& signs, const LetterValues& from) const {
-    constexpr int halvings = 40;
-    for (const Letter& letter : task_.open)
-      for (const double factor : {1e-3, 1e3}) {
-        LetterValues there = from;
-        double& value = there.at(letter.name);
-        double inside = value;
-        double outside = is_angle(letter) ? value + (factor > 1 ? 1 : -1) : value * factor;
-        for (int i = 0; i < halvings; ++i) {
-          value = (inside + outside) / 2;
-          (is_assumed(task_.statement, settings_at(there)) ? inside : outside) = value;
-        }
-        value = inside;
-        if (!all_positive(signs, there)) return false;
-      }
-    return true;
-  }
-  static bool all_positive(const std::vector<Formula>& signs, const LetterValues& there) {
-    return std::ranges::all_of(signs, [&](const Formula& sign) { return value_at(sign, there) > 0; });
-  }
-  AllSettings settings_at(const LetterValues& letters) const {
-    AllSettings settings = task_.settings;
-    for (Settings& one : settings)
-      for (const Letter& letter : task_.open)
-        one[letter.name] = Value<double>::of_number(letters.at(letter.name), letter.unit.dimension);
-    return settings;
   }
 
   // What was decided, in letters and such that it is positive where it was.
@@ -203,7 +202,20 @@ class FormulaSearch {
                        [&](const Formula& sign) { return value_at(sign, letters) > 0; });
   }
 
-  // The bounds of the unknowns: those that are stated, and those of what is never negative.
+  // Whether the formulas of the unknowns solve the conditions with this sign alone.
+  bool rests_on_sign(std::size_t k) const {
+    std::vector<DecidedSign> other = decided_;
+    other[k].sign = -other[k].sign;
+    return std::ranges::any_of(answers_.remainders(), [&](const Formula& rest) {
+      try {
+        return !poinsot::substituted(with_signs(rest, other), unknowns_).is_zero();
+      } catch (const std::domain_error&) {
+        return true;
+      }
+    });
+  }
+  // The bounds of the unknowns: those on which the signs in their conditions rest, those that are stated, and those of
+  // what is never negative.
   void find_bounds() {
     const auto add = [&](const Formula& positive) {
       const Formula bound = bound_without_inverse(substituted(positive, unknowns_));
@@ -211,6 +223,8 @@ class FormulaSearch {
           std::find(grounds_.bounds.begin(), grounds_.bounds.end(), bound) == grounds_.bounds.end())
         grounds_.bounds.push_back(bound);
     };
+    for (std::size_t k = 0; k < decided_.size(); ++k)
+      if (rests_on_sign(k)) add(decided_[k].positive());
     for (std::size_t i = 0; i < task_.statement.situations.size(); ++i) {
       for (const Expression& condition : task_.statement.situations[i].where) {
         const Comparison* comparison = condition.as<Comparison>();
@@ -259,12 +273,14 @@ class FormulaSearch {
       for (const auto& [home, instant] : task_.sample.instants())
         natural = std::max(natural, instant->natural_size(unknown.unit.dimension));
       if (!unknown.vector) letters.push_back({name, angle, value.number, natural});
-      for (std::size_t k = 0; unknown.vector && k < 3; ++k)
+      if (!unknown.vector) return;
+      for (const std::size_t k : sought_components(unknown, task_.statement.situations.front().plane))
         letters.push_back({component_name(unknown, situation, k), angle, value.vector[k], natural});
     });
-    unknowns_ = solve_unknowns(answers_.remainders(), std::move(letters), &leading_);
-    while (checkpoints_.size() <= draws) draw();
-    std::vector<SolvedUnknown> all;
+    std::vector<Formula> remainders = answers_.remainders();
+    decided_ = signs_of_unknowns(remainders, letters);
+    for (Formula& remainder : remainders) remainder = with_signs(remainder, decided_);
+    unknowns_ = solve_unknowns(std::move(remainders), std::move(letters), &leading_);
     for_each_unknown([&](const Unknown& unknown, std::size_t situation, const std::string&) {
       SolvedUnknown solved{unknown.name, unknown.unit, task_.settings[situation].at(unknown.name)};
       if (!is_common(task_.statement, unknown.name)) {
@@ -272,10 +288,11 @@ class FormulaSearch {
         solved.situation = situation;
       }
       solved.formula = in_letters(value_of(task_.statement, unknown, situation));
-      grounds_.unknowns.push_back({unknown.name, solved.situation, *solved.formula});
-      all.push_back(std::move(solved));
+      found_.push_back(std::move(solved));
     });
-    solution_.unknowns = std::move(all);
+    while (checkpoints_.size() <= draws) draw();
+    for (const SolvedUnknown& one : found_) grounds_.unknowns.push_back({one.own_name, one.situation, *one.formula});
+    solution_.unknowns = found_;
     find_bounds();
   }
 
@@ -296,19 +313,19 @@ class FormulaSearch {
     const auto letter = [](const std::string& name) { return Formula::letter(name, poinsot::Sign::real); };
     if (!unknown.vector)
       return Value<Formula>::of_number(letter(letter_of(statement, unknown.name, situation)), unknown.unit.dimension);
-    Vector3<Formula> vector;
-    for (std::size_t k = 0; k < 3; ++k)
+    Vector3<Formula> vector = Vector3<Formula>::zero();
+    for (const std::size_t k : sought_components(unknown, statement.situations.front().plane))
       vector[k] = letter(letter_of(statement, unknown.name, situation, std::to_string(k + 1)));
     return Value<Formula>::of_vector(vector, unknown.unit.dimension);
   }
   Value<Formula> in_letters(const Value<Formula>& formula) const {
-    return unknowns_.empty() ? formula : substituted(formula, unknowns_);
+    return unknowns_.empty() ? formula : with_sizes(substituted(formula, unknowns_), grounds_.bounds);
   }
   Formula substituted(const Formula& formula, const std::map<std::string, Formula>& letters) const {
-    return letters.empty() ? formula : poinsot::substituted(formula, letters);
+    return letters.empty() ? formula : poinsot::substituted(with_signs(formula, decided_), letters);
   }
   Value<Formula> substituted(const Value<Formula>& formula, const std::map<std::string, Formula>& letters) const {
-    return problem::substituted(formula, letters);
+    return problem::substituted(with_signs(formula, decided_), letters);
   }
 
   void confirm(const Value<Formula>& formula, std::size_t i) {
@@ -404,8 +421,15 @@ class FormulaSearch {
       });
       if (same) return root;
     }
-    if (!found.roots.empty()) throw NoFormula("the formulas found for the unknowns are no root everywhere");
-    return std::nullopt;
+    // Where a sign on which the formulas rest is another one the roots are others, and a search passes over some.
+    if (found.roots.empty() || std::ranges::any_of(decided_, [&](const DecidedSign& decided) {
+          return !(value_at(poinsot::substituted(decided.positive(), unknowns_), letters) > 0);
+        }))
+      return std::nullopt;
+    const AllSettings root = with_unknowns(AllSettings(task_.settings.size(), settings), found_, letters);
+    if (!search.still_holds(root, OpenChoice{}))
+      throw NoFormula("the formulas found for the unknowns are no root everywhere");
+    return root;
   }
 
   static std::vector<FormulaValues> values_of(const FormulaTask& task) {
@@ -432,9 +456,14 @@ class FormulaSearch {
   const FormulaTask& task_;
   Solution& solution_;
   std::map<std::string, Formula> unknowns_;
-  std::vector<Formula> leading_;  // what must not vanish in these formulas, as in solve_unknowns
+  std::vector<SolvedUnknown> found_;
+  std::vector<DecidedSign> decided_;                     // in what must vanish, as at the first solution
+  std::vector<Formula> leading_;                         // what must not vanish in these formulas, as in solve_unknowns
+  std::vector<std::pair<std::size_t, Formula>> strict_;  // what is positive, and not only not negative, for a word
   std::vector<FormulaValues> values_;
   FormulaAnswers answers_;
+  std::vector<FormulaValues> found_values_;  // with the formulas of the unknowns
+  std::optional<FormulaAnswers> found_answers_;
   FormulaGrounds grounds_;
   std::vector<Checkpoint> checkpoints_;
   std::vector<bool> at_instant_;  // of each ask, whether it is one of an instant that no motion leads to

@@ -19,6 +19,9 @@ struct UnknownFormula {
   Value<Formula> value;
 };
 
+// What is not negative where the formulas of the unknowns have a value, if a sign is that of it.
+std::optional<Formula> inside_behind(const Formula& sign, const std::vector<UnknownFormula>& unknowns);
+
 // What the formulas of a solution rest on, beside the signs of letters. The signs and bounds are positive at the values
 // of the letters where the formulas were found.
 struct FormulaGrounds {

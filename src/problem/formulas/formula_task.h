@@ -46,11 +46,27 @@ void withhold_formulas(const FormulaTask& task, Solution& solution, const std::s
 // all letters and can be told without motions.
 std::vector<Formula> stated_bounds(const FormulaTask& task, const std::vector<SolvedUnknown>& unknowns);
 
+// What is positive by what the situations assume of the letters, where it is not equal to a bound either.
+std::vector<Formula> assumed_positive(const FormulaTask& task);
+// Whether something is positive wherever these are, as far as that is seen; or_zero: or zero.
+bool is_assumed_positive(const Formula& x, const std::vector<Formula>& assumed, bool or_zero = false);
+
+// A value with that of its formula at letters in its place; angles are those within half a turn of it.
+Value<double> at_letters(const Value<Formula>& formula, Value<double> near, const LetterValues& letters);
+// Settings in which unknowns are what their formulas tell at letters.
+AllSettings with_unknowns(AllSettings settings, const std::vector<SolvedUnknown>& unknowns,
+                          const LetterValues& letters);
+
 // Whether there are cords or contacts.
 bool acts_on_one_side(const Statement& statement);
 
-// Whether a value is a word, or a list of such. Of a truth it is not known what decided it: sides that are compared by
-// their numbers leave no sign.
+// Whether a value is a word, or a list of such.
 bool is_word(const Value<double>& value);
+// Whether signs that decide a word keep it for all letters that are assumed. by_trial: as far as letters show that lie
+// all over six decades and where what is assumed just holds; else what is assumed must tell it. A comparison may turn
+// anywhere: where its sign is not told it is for a claim, of which counterexamples are sought.
+bool positive_where_assumed(const FormulaTask& task, const std::vector<Formula>& signs, bool by_trial);
+// Whether it is the truth of inequalities, or of stability, of which formulas tell what decides it.
+bool is_decided_truth(const Ask& ask, const Value<double>& value);
 
 }  // namespace poinsot::problem

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <optional>
 
+#include "poinsot/engine/math/formula/formula_sizes.h"
 #include "poinsot/engine/math/formula/formula_text.h"
+#include "problem/formulas/formula_task.h"
 
 namespace poinsot::problem {
 namespace {
@@ -135,12 +137,21 @@ std::optional<Found> solve_for(const Formula& remainder, const UnknownLetter& un
       if (const auto angle = half_of_angle(*doubled, unknown.value)) return Found{*angle, coefficients->size()};
     const std::optional<Root> root = root_of(*coefficients, std::tan(unknown.value / 2));
     if (!root) return std::nullopt;
-    if (!root->square) return Found{Formula(2) * atan(root->root), coefficients->size()};
+    if (!root->square) return Found{Formula(2) * atan(root->root), coefficients->size(), root->leading};
     const Formula angle = acos((Formula(1) - *root->square) / (Formula(1) + *root->square));
-    return Found{root->sign < 0 ? -angle : angle, coefficients->size()};
+    return Found{root->sign < 0 ? -angle : angle, coefficients->size(), root->leading};
   } catch (const std::domain_error&) {
     return std::nullopt;
   }
+}
+
+// A value with other numbers in the place of its own.
+template <class Change>
+Value<Formula> changed(Value<Formula> value, const Change& change) {
+  value.number = change(value.number);
+  for (std::size_t k = 0; value.is_vector() && k < 3; ++k) value.vector[k] = change(value.vector[k]);
+  for (Value<Formula>& item : value.items) item = changed(item, change);
+  return value;
 }
 
 }  // namespace
@@ -170,6 +181,42 @@ Formula first_order(const Formula& x, const std::vector<std::string>& small) {
     sum += Formula::letter(letter, poinsot::Sign::real) * substituted(derivative(x, letter), zero);
   }
   return sum;
+}
+
+std::vector<DecidedSign> signs_of_unknowns(const std::vector<Formula>& remainders,
+                                           const std::vector<UnknownLetter>& letters) {
+  std::vector<DecidedSign> all;
+  for (const Formula& remainder : remainders)
+    with_known_signs(remainder, [&](const Formula& argument) {
+      const std::vector<std::string> names = argument.letters();
+      const bool of_unknown = std::ranges::any_of(
+          letters, [&](const UnknownLetter& letter) { return std::ranges::find(names, letter.name) != names.end(); });
+      if (of_unknown && std::ranges::find(all, argument, &DecidedSign::of) == all.end())
+        all.push_back({argument, plain(argument) < 0 ? -1 : 1});
+      return 0;
+    });
+  return all;
+}
+
+Formula with_signs(const Formula& x, const std::vector<DecidedSign>& signs) {
+  return with_known_signs(x, [&](const Formula& argument) {
+    const auto known = std::ranges::find(signs, argument, &DecidedSign::of);
+    return known == signs.end() ? 0 : known->sign;
+  });
+}
+
+Value<Formula> with_signs(const Value<Formula>& value, const std::vector<DecidedSign>& signs) {
+  return changed(value, [&](const Formula& x) { return with_signs(x, signs); });
+}
+
+Value<Formula> with_sizes(const Value<Formula>& value, const std::vector<Formula>& positive) {
+  return changed(value, [&](const Formula& x) {
+    return with_known_signs(x, [&](const Formula& argument) {
+      for (const int sign : {1, -1})
+        if (is_assumed_positive(Formula(sign) * argument, positive, true)) return sign;
+      return 0;
+    });
+  });
 }
 
 std::map<std::string, Formula> solve_unknowns(std::vector<Formula> remainders, std::vector<UnknownLetter> unknowns,

@@ -35,4 +35,15 @@ LetterValues LetterScan::point(std::size_t index) const {
   return values;
 }
 
+LetterValues LetterScan::near(std::size_t index) const {
+  LetterValues values = point(index);
+  for (const Letter& letter : letters_) {
+    double& value = values[letter.name];
+    const double ordinary = std::abs(base_.at(letter.name));
+    if (letter.unit.dimension != dimensions::angle && ordinary > 0)
+      value = std::copysign(ordinary * std::pow(std::abs(value) / ordinary, 1.0 / 6), value);
+  }
+  return values;
+}
+
 }  // namespace poinsot::problem

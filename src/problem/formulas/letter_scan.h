@@ -18,6 +18,8 @@ class LetterScan {
   LetterScan(std::vector<Letter> letters, LetterValues base);
 
   LetterValues point(std::size_t index) const;
+  // The same within half a decade of the base, where moments of inertia still are those of a body.
+  LetterValues near(std::size_t index) const;
 
  private:
   std::vector<Letter> letters_;  // by name

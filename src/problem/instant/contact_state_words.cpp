@@ -10,6 +10,7 @@
 #include "problem/keys/joint_kinds.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/plane/planar_words.h"
 
 namespace poinsot::problem {
 namespace {
@@ -118,7 +119,8 @@ std::string words_of(const ContactState& state, const Situation& situation, cons
   ContactState named = state;
   if (name_direction(named, situation, settings)) return words_of(named);
   const Vector3<double> d = DataScope<double>(situation, settings, 0).direction(*state.slip);
-  if (situation.plane) return words_of(state, {d[situation.plane->first], d[situation.plane->second]});
+  if (situation.plane)
+    return words_of(state, {d[component_axes(*situation.plane)[0]], d[component_axes(*situation.plane)[1]]});
   return words_of(state, {d.x, d.y, d.z});
 }
 

@@ -69,9 +69,11 @@ struct MotionState {
   double off_line = 0;       // m/s: how fast contacts may slip across the lines that the motion takes for their slips
 };
 
-// How far a stated number is from what is found, and the size of what is stated, at least one; in natural units.
+// How far a stated number is from what is found, and the size of what is found, at least one; in natural units.
 struct FactMisfit {
   double value = 0, size = 1;
+  double found = 0, stated = 0;  // both sides, SI
+  Dimension dimension{};
 };
 
 class ShakenInstant;
@@ -195,6 +197,10 @@ class SolvedInstant {
   RoughMotion<double> rough_motion_as_drawn(std::size_t contact, bool accelerations) const;
   // Which states of them the bodies allow together, where nothing moves.
   PossibleSlips possible_slips() const { return PossibleSlips(*mechanism_state_, machine_.rough_contacts); }
+  // The least m N - |F| of all that sticks, beside the larger of both: below zero where something slips. Of joints and
+  // cords too, unlike sticking_margin(), which polishes ends to the last digits beside the largest force. Forces must
+  // be solved; nothing where nothing sticks.
+  std::optional<double> least_margin_at_rest() const;
 
   // Where contacts and cords share a load: the least and the largest value of a number, or of each component of a
   // vector, over all shares in which none pulls or pushes the wrong way; infinite where nothing bounds it. Nothing if

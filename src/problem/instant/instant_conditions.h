@@ -20,6 +20,7 @@ template <class Scalar>
 struct Difference {
   Scalar value;
   Dimension dimension;
+  Scalar found{};  // the quantity
 };
 
 // An instant for which facts are evaluated: the machine in its pose. The objects referred to must outlive it.

@@ -109,16 +109,19 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
   std::vector<Difference<Scalar>> list;
   if (is_any(fact.value)) return list;
   if (quantity.is_number()) {
-    list.push_back({quantity.number - evaluator.number(fact.value, quantity.dimension), quantity.dimension});
+    list.push_back(
+        {quantity.number - evaluator.number(fact.value, quantity.dimension), quantity.dimension, quantity.number});
   } else if (quantity.is_vector()) {
     list.reserve(3);
     if (const List* components = fact.value.as<List>(); components && components->items.size() == 3) {
       for (std::size_t k = 0; k < 3; ++k)
         if (const Expression& item = components->items[k]; !is_any(item))
-          list.push_back({quantity.vector[k] - evaluator.number(item, quantity.dimension), quantity.dimension});
+          list.push_back({quantity.vector[k] - evaluator.number(item, quantity.dimension), quantity.dimension,
+                          quantity.vector[k]});
     } else {
       const Vector3<Scalar> value = evaluator.vector(fact.value, quantity.dimension);
-      for (std::size_t k = 0; k < 3; ++k) list.push_back({quantity.vector[k] - value[k], quantity.dimension});
+      for (std::size_t k = 0; k < 3; ++k)
+        list.push_back({quantity.vector[k] - value[k], quantity.dimension, quantity.vector[k]});
     }
   } else {
     const List* stated = fact.value.as<List>();
@@ -132,7 +135,8 @@ std::vector<Difference<Scalar>> differences(const Fact& fact, QuantityScope<Scal
           "state as many, any for those that are not known, or one of them: " + to_string(fact.quantity) + "[1]");
     for (std::size_t k = 0; k < items.size(); ++k)
       if (const Expression& item = stated->items[k]; !is_any(item))
-        list.push_back({items[k].number - evaluator.number(item, items[k].dimension), items[k].dimension});
+        list.push_back(
+            {items[k].number - evaluator.number(item, items[k].dimension), items[k].dimension, items[k].number});
   }
   return list;
 }
@@ -353,7 +357,8 @@ std::vector<FactMisfit> SolvedInstant::fact_misfits(const std::vector<const Fact
     const double size = std::max(std::abs(found.number), norm(found.vector));
     for (const auto& difference : differences(*fact, scope, situation_.file)) {
       const double unit = natural_unit(difference.dimension);
-      misfits.push_back({difference.value / unit, std::max(1.0, size / unit)});
+      misfits.push_back({difference.value / unit, std::max(1.0, size / unit), difference.found,
+                         difference.found - difference.value, difference.dimension});
     }
   }
   return misfits;

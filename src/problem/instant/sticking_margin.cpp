@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problem/quantities/rough_contact.h"
+
 namespace poinsot::problem {
 
 std::optional<StickingForces> sticking_forces(const SolvedInstant& instant) {
@@ -30,6 +32,20 @@ std::optional<double> sticking_margin(const SolvedInstant& instant) {
   }
   if (!(size > 0)) return std::nullopt;
   return margin / size;
+}
+
+std::optional<double> SolvedInstant::least_margin_at_rest() const {
+  if (!forces_solved()) return std::nullopt;
+  std::optional<double> least;
+  for (const RoughContactOf<double>& contact : machine_.rough_contacts) {
+    if (contact.grip != Grip::sticks) continue;
+    const RoughForce<double> force = rough_force(*mechanism_state_, motion_->value, contact);
+    const double carried = resting_of(*mechanism_state_, contact) * force.push, asked = norm(force.friction);
+    const double size = std::max(std::abs(carried), asked);
+    const double margin = size > 0 ? (carried - asked) / size : 0;
+    least = std::min(least.value_or(margin), margin);
+  }
+  return least;
 }
 
 }  // namespace poinsot::problem

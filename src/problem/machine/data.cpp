@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "problem/entries/drawn_letters.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/evaluate_support.h"
 #include "problem/language/exact_numbers.h"
@@ -149,8 +150,7 @@ Settings some_values(const Situation& situation) {
     settings[letter.name] = Value<double>::of_number(next(letter.unit), letter.unit.dimension);
   for (const Unknown& unknown : situation.find) {
     const double x = next(unknown.unit), y = next(unknown.unit), z = next(unknown.unit);
-    settings[unknown.name] = unknown.vector ? Value<double>::of_vector({x, y, z}, unknown.unit.dimension)
-                                            : Value<double>::of_number(x, unknown.unit.dimension);
+    settings[unknown.name] = value_of_unknown(unknown, {x, y, z}, situation.plane);
   }
   for (const Choice& choice : situation.choose) {
     std::vector<Value<double>> names;

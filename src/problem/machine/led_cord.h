@@ -319,36 +319,35 @@ class CordWay {
     for (std::size_t i = 0; i < stops.size(); ++i) {
       Stop& stop = stops[i];
       if (!stop.is_wheel()) continue;
-      const Vector3<double> e = plain(*stop.axis), C = plain(stop.center);
-      const Vector3<double> comes = i > 0 || closed_ ? C - plain(before(i).center) : plain(stops[1].center) - C;
+      const Vector &e = *stop.axis, &C = stop.center;
+      const Vector comes = i > 0 || closed_ ? C - before(i).center : stops[1].center - C;
       if (stop.side) {
-        const double beside = dot(normalized(cross(e, comes)), plain(*stop.side));
-        if (std::abs(beside) < slight)
+        const Vector aside = cross(e, comes);
+        if (std::abs(dot(normalized(plain(aside)), plain(*stop.side))) < slight)
           refuse(stop.mark, "comes to the wheel '" + stop.name + "' along the direction that is stated as its side",
                  "the side lies across the cord: the left or the right one of a wheel above it");
-        stop.sense = beside > 0 ? 1 : -1;
+        stop.sense = decided_negative(dot(aside, *stop.side)) ? -1 : 1;
         continue;
       }
       if (closed_ && stops.size() == 2 && (i == 0 || !stops[0].side)) {
         // Round two wheels it goes the way in which the first turns about its axis.
-        const bool alike = i == 0 || dot(e, plain(*stops[0].axis)) > 0;
+        const bool alike = i == 0 || dot(plain(e), plain(*stops[0].axis)) > 0;
         stop.sense = alike != (i == 1 && crossed) ? -1 : 1;
         continue;
       }
       const bool end = !closed_ && (i == 0 || i + 1 == stops.size());
       if (closed_ && stops.size() == 2) {
-        stop.sense = ((dot(e, plain(*stops[0].axis)) > 0) != crossed ? 1 : -1) * stops[0].sense;
+        stop.sense = ((dot(plain(e), plain(*stops[0].axis)) > 0) != crossed ? 1 : -1) * stops[0].sense;
         continue;
       }
-      const Vector3<double> leaves = end ? comes : plain(behind(i).center) - C;
-      const double turn = dot(e, cross(normalized(comes), normalized(leaves)));
-      if (std::abs(turn) < slight)
+      const Vector leaves = end ? comes : Vector(behind(i).center - C);
+      if (std::abs(dot(plain(e), cross(normalized(plain(comes)), normalized(plain(leaves))))) < slight)
         refuse(stop.mark,
                end ? "does not say on which side of '" + stop.name + "' it winds"
                    : "may pass '" + stop.name + "' on either side",
                "write " + stop.name + ": {side: +x}, the side of the center on which the cord " +
                    (i == 0 ? "leaves it" : "comes to it"));
-      stop.sense = turn < 0 ? 1 : -1;
+      stop.sense = decided_negative(dot(e, cross(comes, leaves))) ? 1 : -1;
     }
   }
 

@@ -207,6 +207,12 @@ bool has_no_axes(const Body& body) {
          body.absorbed.empty();
 }
 
+bool goes_round(const Cord& cord, const std::string& body) {
+  const auto is_wheel = [&](const CordWheel& wheel) { return wheel.name == body && wheel.radius; };
+  return std::ranges::any_of(cord.over, is_wheel) || (cord.off_from && is_wheel(*cord.off_from)) ||
+         (cord.on_to && is_wheel(*cord.on_to));
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -261,9 +267,10 @@ void hold_in_plane(MachineDraft<Scalar>& draft) {
     const std::string words = "'" + body.name + "' in the plane";
     draft.add_component(action, situation.axes[plane.normal()], false, at, {ground, unit(plane.normal())});
     if (free) draft.add_constraint(VelocityConstraintKind::point, words, on, ground, at, unit(plane.normal()));
-    // A particle has no axes, unless a joint carries something on it.
+    // A particle has no axes, unless a joint carries something on it or a cord goes round it.
     const bool carries =
-        std::ranges::any_of(situation.joints, [&](const Joint& joint) { return joint.from == body.name; });
+        std::ranges::any_of(situation.joints, [&](const Joint& joint) { return joint.from == body.name; }) ||
+        std::ranges::any_of(situation.cords, [&](const Cord& cord) { return goes_round(cord, body.name); });
     if (has_no_axes(body) && !carries) continue;
     for (const std::size_t axis : {plane.first, plane.second}) {
       draft.add_component(action, situation.axes[axis], true, at, {ground, unit(axis)});

@@ -32,14 +32,20 @@ struct Rate {
   Formula growth, frequency;
 };
 
+// That of `steady:`, if it is stated.
+const Frame* frame_of(const Situation& situation) {
+  if (!situation.steady) return nullptr;
+  const auto frame = std::ranges::find(situation.frames, situation.steady->frame, &Frame::name);
+  return frame == situation.frames.end() ? nullptr : &*frame;
+}
+
 void require_tree(const InstantInLetters& instant) {
   const Situation& situation = instant.situation;
   if (!instant.machine.mechanism.constraints.empty())
     throw NoFormula("where loops, contacts or cords hold, the motion near this one is found by numbers");
   if (situation.has_friction()) throw NoFormula("with dry friction the motion near this one is found by numbers");
-  for (const Frame& frame : situation.frames)
-    if (situation.steady && frame.name == situation.steady->frame && (!frame.rides_on.empty() || frame.acceleration))
-      throw NoFormula("in such a frame the motion near this one is found by numbers");
+  if (const Frame* frame = frame_of(situation); frame && frame->acceleration)
+    throw NoFormula("in such a frame the motion near this one is found by numbers");
 }
 
 SteadyFormulas motion_of(const InstantInLetters& instant) {
@@ -47,11 +53,45 @@ SteadyFormulas motion_of(const InstantInLetters& instant) {
   return steady_formulas(instant.situation, instant.machine, instant.q, instant.v, instant.numbers);
 }
 
-LinearisedFormulas equations_of(const SteadyFormulas& motion, const std::vector<std::size_t>& free) {
-  if (free.empty()) throw NoFormula("nothing moves near this motion");
-  if (free.size() > most_freedoms_in_letters)
+// The coordinates by which the mass center moves that the frame rides on: `steady:` says nothing of them.
+std::vector<std::size_t> ridden_coordinates(const InstantInLetters& instant) {
+  const Frame* frame = frame_of(instant.situation);
+  if (!frame || frame->rides_on.empty()) return {};
+  const auto& body = instant.machine.mechanism.tree.body(instant.machine.index.at(frame->rides_on));
+  if (body.joint != JointType::free) return {};
+  const auto first = static_cast<std::size_t>(body.v) + 3;
+  return {first, first + 1, first + 2};
+}
+
+// Takes out coordinates that the motion of the others does not depend on.
+void leave_out(const std::vector<std::size_t>& out, const std::vector<std::size_t>& free, LinearisedFormulas& near) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (std::ranges::find(out, free[i]) == out.end()) kept.push_back(i);
+  std::vector<Formula> unrest;
+  for (const std::size_t i : kept) unrest.push_back(near.unrest[i]);
+  near.unrest = std::move(unrest);
+  for (FormulaMatrix* matrix : {&near.M, &near.C, &near.K}) {
+    FormulaMatrix rest;
+    for (const std::size_t i : kept) {
+      rest.emplace_back();
+      for (std::size_t k = 0; k < free.size(); ++k)
+        if (std::ranges::find(kept, k) != kept.end())
+          rest.back().push_back((*matrix)[i][k]);
+        else if (!(*matrix)[i][k].is_zero())
+          throw NoFormula("of what moves with the mass center that the frame rides on it is found by numbers");
+    }
+    *matrix = std::move(rest);
+  }
+}
+
+LinearisedFormulas equations_of(const SteadyFormulas& motion, const std::vector<std::size_t>& free,
+                                const std::vector<std::size_t>& out = {}) {
+  if (free.size() <= out.size()) throw NoFormula("nothing moves near this motion");
+  if (free.size() > most_freedoms_in_letters + out.size())
     throw NoFormula("so many freedoms near this motion are solved by numbers");
   LinearisedFormulas near = linearised(motion, free);
+  if (!out.empty()) leave_out(out, free, near);
   if (std::ranges::any_of(near.unrest, [](const Formula& left) { return !left.is_zero(); }))
     throw NoFormula("that the motion is steady is not seen in letters");
   return near;
@@ -83,9 +123,23 @@ void add_rates_of(const std::vector<Formula>& c, bool of_square, std::vector<Rat
   rates.push_back({-c[1] / twice, sqrt(-square) / (decided_negative(twice) ? -twice : twice)});
 }
 
-std::vector<Rate> rates_of(const LinearisedFormulas& near) {
+// What is tilted in free space stays so, and goes round in a frame that turns by W: l^2 + W^2 is a factor that tells of
+// no swing.
+void take_out_going_round(const Formula& W_squared, std::vector<Formula>& c) {
+  if (W_squared.is_zero() || c.size() < 3) return;
+  std::vector<Formula> rest = c, quotient(c.size() - 2);
+  for (std::size_t k = c.size() - 1; k >= 2; --k) {
+    quotient[k - 2] = rest[k];
+    rest[k - 2] -= W_squared * rest[k];
+  }
+  if (rest[0].is_zero() && rest[1].is_zero()) c = std::move(quotient);
+}
+
+// in_space: the square of the rate of a frame that rides on a mass center.
+std::vector<Rate> rates_of(const LinearisedFormulas& near, const Formula& in_space = Formula()) {
   std::vector<Formula> c = characteristic_polynomial(near);
   while (!c.empty() && c.front().is_zero()) c.erase(c.begin());
+  take_out_going_round(in_space, c);
   bool even = true;
   for (std::size_t k = 1; k < c.size(); k += 2) even = even && c[k].is_zero();
   const std::string name = "unknown rate";
@@ -134,6 +188,15 @@ Value<Formula> told_rates(const std::string& function, std::vector<Rate> rates) 
       items.push_back(number_value(rate.frequency, dimensions::angular_velocity));
   }
   return Value<Formula>::of_list(std::move(items));
+}
+
+// Of rates of which none vanishes. Which of them grow, and which only swing, the letters decide.
+Value<Formula> told_stability(const std::string& function, const std::vector<Rate>& rates) {
+  if (rates.empty()) throw NoFormula("nothing swings near this motion: what decides its stability is found by numbers");
+  bool grows = false;
+  for (const Rate& rate : rates) grows = (!rate.growth.is_zero() && !decided_negative(rate.growth)) || grows;
+  if (function == "stable") return Value<Formula>::of_truth(!grows);
+  return Value<Formula>::of_text(grows ? "unstable" : "stable");
 }
 
 struct Complex {
@@ -355,10 +418,19 @@ class ResponseInLetters {
 
 Value<Formula> near_in_letters(const InstantInLetters& instant, const Call& call) {
   if (call.function == "response") return ResponseInLetters(instant, call).of(call.arguments[0].value);
-  if (call.function != "frequencies" && call.function != "growth_rate" && call.function != "eigenvalues")
+  const bool in_words = call.function == "stability" || call.function == "stable";
+  if (!in_words && call.function != "frequencies" && call.function != "growth_rate" && call.function != "eigenvalues")
     throw NoFormula("no formula is known for " + call.function + "()");
   const SteadyFormulas motion = motion_of(instant);
-  return told_rates(call.function, rates_of(equations_of(motion, free_coordinates(motion))));
+  const std::vector<std::size_t> free = free_coordinates(motion), ridden = ridden_coordinates(instant);
+  Formula in_space;
+  if (const Frame* frame = frame_of(instant.situation); frame && !frame->rides_on.empty()) {
+    Workspace<Formula> w(instant.machine.mechanism.tree);
+    update_velocities(instant.machine.mechanism.tree, w, State<Formula>{instant.q, instant.v});
+    in_space = norm_squared(angular_velocity(w, motion.frame));
+  }
+  const std::vector<Rate> rates = rates_of(equations_of(motion, free, ridden), in_space);
+  return in_words ? told_stability(call.function, rates) : told_rates(call.function, rates);
 }
 
 }  // namespace poinsot::problem

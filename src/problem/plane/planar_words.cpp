@@ -44,6 +44,17 @@ Pointing joined(Pointing one, Pointing other) { return one == Pointing::none ? o
 
 }  // namespace
 
+std::array<std::size_t, 2> component_axes(const MotionPlane& plane) {
+  return {std::min(plane.first, plane.second), std::max(plane.first, plane.second)};
+}
+
+std::vector<std::size_t> sought_components(const Unknown& unknown, const std::optional<MotionPlane>& plane) {
+  if (!unknown.vector) return {0};
+  if (!plane) return {0, 1, 2};
+  const auto [first, second] = component_axes(*plane);
+  return {first, second};
+}
+
 Pointing PlanarWords::of_name(const Name& name, int depth) const {
   for (std::size_t k = 0; k < 3; ++k)
     if (situation_.axes[k] == name.name) return k == plane_.normal() ? Pointing::normal : Pointing::in_plane;
@@ -55,6 +66,8 @@ Pointing PlanarWords::of_name(const Name& name, int depth) const {
     const Pointing of_value = pointing(found->value, depth + 1);
     return of_value == Pointing::none ? Pointing::in_plane : of_value;
   }
+  if (const auto found = std::ranges::find(situation_.find, name.name, &Unknown::name); found != situation_.find.end())
+    return found->vector ? Pointing::in_plane : Pointing::none;
   for (const auto* list : {&situation_.define, &situation_.given})
     if (const auto found = named(*list); found != list->end()) return pointing(found->value, depth + 1);
   return Pointing::none;
@@ -151,7 +164,8 @@ Expression PlanarWords::as_vector(const Expression& list, const Expression& acro
 }
 
 std::vector<Expression> PlanarWords::components(const Expression& expression) const {
-  return {component(expression, plane_.first), component(expression, plane_.second)};
+  const auto [first, second] = component_axes(plane_);
+  return {component(expression, first), component(expression, second)};
 }
 
 void PlanarWords::refuse_across(const Expression& expression, const Call& call) const {
@@ -198,7 +212,8 @@ Expression PlanarWords::with_numbers(const Expression& expression) const {
              "the component ." + member->name + " of " + to_string(member->object) +
                  " points across the plane: it is "
                  "zero",
-             normal ? "its components are ." + situation_.axes[plane_.first] + " and ." + situation_.axes[plane_.second]
+             normal ? "its components are ." + situation_.axes[component_axes(plane_)[0]] + " and ." +
+                          situation_.axes[component_axes(plane_)[1]]
                     : "it is a number: write " + to_string(member->object));
     }
     return transformed(expression, [&](const Expression& child) { return with_numbers(child); });

@@ -2,9 +2,22 @@
 // the normal.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "problem/entries/statement.h"
+#include "problem/language/value.h"
 
 namespace poinsot::problem {
+
+// Components are written and told in the order of the figure's axes, whichever of the two angles are counted from.
+std::array<std::size_t, 2> component_axes(const MotionPlane& plane);
+// The components of an unknown that are sought: of a number the only one, of a vector those in the plane if there is
+// one.
+std::vector<std::size_t> sought_components(const Unknown& unknown, const std::optional<MotionPlane>& plane);
 
 class PlanarWords {
  public:
@@ -42,5 +55,15 @@ class PlanarWords {
   const Situation& situation_;
   const MotionPlane& plane_;
 };
+
+// A vector by its components in the plane, if there is one: what questions of a planar problem are answered by.
+template <class Scalar>
+Value<Scalar> told_in_plane(const Value<Scalar>& value, const std::optional<MotionPlane>& plane) {
+  if (!plane || !value.is_vector()) return value;
+  std::vector<Value<Scalar>> two;
+  for (const std::size_t axis : component_axes(*plane))
+    two.push_back(Value<Scalar>::of_number(value.vector[axis], value.dimension));
+  return Value<Scalar>::of_list(std::move(two));
+}
 
 }  // namespace poinsot::problem

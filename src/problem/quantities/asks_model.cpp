@@ -37,9 +37,11 @@ bool asks_behind(const Situation& situation, const Expression& expression, bool 
       return true;
     // `A of plate` is a point that moves with a body.
     if (is_among(situation.bodies, name)) return true;
-    for (const NamedExpression& item : situation.define)
-      if (item.name == name && depth < most_definitions && asks_behind(situation, item.value, into_at, depth + 1))
-        return true;
+    // Data may be made of what is to be found.
+    for (const auto* list : {&situation.define, &situation.given})
+      for (const NamedExpression& item : *list)
+        if (item.name == name && depth < most_definitions && asks_behind(situation, item.value, into_at, depth + 1))
+          return true;
   }
   return false;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/language/expression_walk.h"
+#include "problem/plane/planar_words.h"
 #include "problem/quantities/quantity_functions.h"
 
 namespace poinsot::problem {
@@ -119,8 +120,8 @@ std::optional<std::string> planar_words(const std::vector<Expression>& asked, co
   const auto along = [&](const Expression& one, std::size_t axis) { return component_axis(one, situation) == axis; };
   const Unary* reversed = asked.front().as<Unary>();
   const Expression& first = reversed && reversed->sign == '-' && plane.sign() < 0 ? reversed->operand : asked.front();
-  const bool pair = asked.size() == 2 && along(first, plane.first) && along(asked[1], plane.second) &&
-                    same_tree(whole(first), whole(asked[1]));
+  const bool pair = asked.size() == 2 && along(first, component_axes(plane)[0]) &&
+                    along(asked[1], component_axes(plane)[1]) && same_tree(whole(first), whole(asked[1]));
   if (!pair && (asked.size() == 2 || !along(first, plane.normal()))) return std::nullopt;
   return words_of(whole(first), situation);
 }

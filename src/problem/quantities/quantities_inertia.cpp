@@ -97,6 +97,55 @@ Vector3<Formula> principal_moments(const SymmetricMatrix3<Formula>& I) {
   return {found[0], found[1], found[2]};
 }
 
+// The principal axes of a tensor without products, in the order of the moments. Where two moments are the same whatever
+// the letters are, the axes come in the order of the figure's.
+std::array<Vector3<Formula>, 3> principal_axes(const SymmetricMatrix3<Formula>& I) {
+  if (!I.xy.is_zero() || !I.yz.is_zero() || !I.zx.is_zero())
+    throw NoFormula("principal axes that are none of the figure's are found by numbers");
+  const std::array<Formula, 3> moments{I.xx, I.yy, I.zz};
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return decided_negative(moments[i] - moments[k]); });
+  const Vector3<Formula> first = Vector3<Formula>::unit(order[0]), second = Vector3<Formula>::unit(order[1]);
+  return {first, second, cross(first, second)};
+}
+
+// Which rotations about principal axes are stable: in the order of the moments. That two of these differ is noted as
+// the sign of the square of their difference.
+std::array<const char*, 3> axis_stability(const SymmetricMatrix3<Formula>& I) {
+  const Vector3<Formula> m = [&] {
+    const DecisionScope order;  // which matters to none of the words
+    return principal_moments(I);
+  }();
+  const Formula difference[3] = {m.y - m.z, m.z - m.x, m.x - m.y};
+  const auto equal = std::ranges::count_if(difference, &Formula::is_zero);
+  if (equal == 3) return {"neutral", "neutral", "neutral"};
+  if (equal == 0) {
+    for (const Formula& one : difference) note_sign(one * one);
+    return {"stable", "unstable", "stable"};
+  }
+  const auto alone =
+      static_cast<std::size_t>(std::ranges::find_if(difference, &Formula::is_zero) - std::begin(difference));
+  if (decided_negative(m[alone] - m[(alone + 1) % 3])) return {"stable", "neutral", "neutral"};
+  return {"neutral", "neutral", "stable"};
+}
+
+// twice_energy: of the turning.
+Value<Formula> construction_in_letters(const Call& call, const SymmetricMatrix3<Formula>& I,
+                                       const Formula& twice_energy) {
+  std::vector<Value<Formula>> items;
+  if (call.function == "axis_stability") {
+    for (const char* word : axis_stability(I)) items.push_back(Value<Formula>::of_text(word));
+  } else if (call.function == "poinsot_ellipsoid") {
+    const Vector3<Formula> moments = principal_moments(I);
+    for (std::size_t k = 0; k < 3; ++k)
+      items.push_back(number_value(sqrt(twice_energy / moments[k]), dimensions::angular_velocity));
+  } else {
+    throw NoFormula(call.function + "() is found by numbers");
+  }
+  return Value<Formula>::of_list(std::move(items));
+}
+
 }  // namespace
 
 template <class Scalar, class Base>
@@ -162,7 +211,11 @@ Value<Scalar> QuantityScope<Scalar, Base>::inertia(const Call& call, const Mark&
   }
   require_one_of(f, {"principal_moments", "principal_axes"});
   if constexpr (std::is_same_v<Scalar, Formula>) {
-    if (f != "principal_moments") throw NoFormula("the principal axes are found by numbers");
+    if (f == "principal_axes") {
+      std::vector<Result> items;
+      for (const Vector& axis : principal_axes(I)) items.push_back(vector_value(axes_ * axis, dimensions::none));
+      return Result::of_list(std::move(items));
+    }
     const Vector moments = principal_moments(I);
     return numbers({moments.x, moments.y, moments.z});
   } else if constexpr (std::is_same_v<Scalar, double>) {
@@ -232,8 +285,10 @@ Value<Scalar> QuantityScope<Scalar, Base>::free_motion(const Call& call, const M
     if (f == "axis_stability" || f == "poinsot_ellipsoid" || f == "polhode") {
       if constexpr (std::is_same_v<Scalar, double>)
         return poinsot_construction(call, mark, evaluator, body, H, w);
-      else
+      else if constexpr (!std::is_same_v<Scalar, Formula>)
         throw NoFormula(call.function + "() is found by numbers");
+      else
+        return construction_in_letters(call, current_mass(body).inertia_center, dot(w, H));
     }
     const Revolution<Scalar> revolution = revolution_of(current_mass(body).inertia_center);
     // Where all axes are alike the angular velocity is along the angular momentum; where none are it goes round on no

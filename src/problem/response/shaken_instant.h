@@ -42,7 +42,6 @@ class ShakenInstant {
   void read_force();
   void read_unbalance();
   void read_coordinate();
-  int body_at_rest_in_frame() const;
   Place<double> place_of(int body) const;
   void confirm_as_drawn(int body, int axes, const Vector3<double>& drawn, const Vector3<double>& now) const;
   Vector spin_of(int body) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "problem/instant/contact_state_search.h"
 #include "problem/language/diagnostic.h"
 #include "problem/language/words.h"
+#include "problem/unknowns/uncertain_event.h"
 #include "problem/unknowns/unknown_search.h"
 #include "problem/witness/particle_witness.h"
 
@@ -58,6 +60,7 @@ class AskedTable {
     }
     if (run == Run::time && std::any_of(rows.begin(), rows.end(), [](double time) { return time < 0; }))
       fail(situation_.file, table_.values.mark(), "the motion begins at 0 s: there is no time before it");
+    if (run == Run::time && !rows.empty()) latest_row_ = std::ranges::max(rows);
     // Each row at another datum is a problem of its own. A fault in some of them shows in others, so that of many rows
     // the first, the last and some between are confirmed.
     constexpr std::size_t most_confirmed = 24;
@@ -135,8 +138,22 @@ class AskedTable {
     for (const NamedExpression& column : table_.columns) {
       const auto [situation_index, expression] = sample_.situated_in(column.value, first_.situation);
       Course& motion = sample_.motion(situation_index);
+      if (run == Run::time) follow(motion, situation_index, row);
       const double time = run == Run::time ? row : motion.time_of(table_.over_value, row, table_.over_mark);
+      require_certain(uncertain_before(situation_index, time), column);
       add(column, motion.value(time, expression, ask_.axes));
+    }
+  }
+
+  // What cannot be followed to a time cannot be followed to a later one: that is tried once.
+  void follow(Course& motion, std::size_t situation, double time) {
+    if (const auto failed = not_followed_.find(situation); failed != not_followed_.end() && time >= failed->second.time)
+      std::rethrow_exception(failed->second.why);
+    try {
+      motion.follow(time);
+    } catch (const UnansweredError&) {
+      not_followed_[situation] = {time, std::current_exception()};
+      throw;
     }
   }
 
@@ -163,14 +180,30 @@ class AskedTable {
     Sample there =
         stated ? Sample(stated, std::move(all), sample_.choice()) : Sample(statement, std::move(all), sample_.choice());
     if (confirm) there.write_down_what_is_told();
-    for (const NamedExpression& column : table_.columns)
+    for (const NamedExpression& column : table_.columns) {
       add(column, there.value_at(there.home(column.value, column.mark), column.value, ask_.axes));
-    note_unphysical(there, row);
+      require_certain(uncertain_event_in(there, column.value), column);
+    }
+    refuse_unphysical(there);
     if (confirm &&
         !std::ranges::all_of(there.instants(), [](const auto& item) { return confirmed_by_all_roads(*item.second); }))
       sample_.note_unphysical_row(ask_.name, "independent checks do not confirm the row " + row_words(row));
     if (std::ranges::any_of(table_.columns, [](const auto& column) { return asks_stability(column.value); }))
       confirm_stability(there);
+  }
+
+  // What is uncertain of the stages that end before a time. It is sought once for the rows up to the latest.
+  std::optional<UncertainEvent> uncertain_before(std::size_t situation, double time) {
+    const auto known = ends_.find(situation);
+    if (known == ends_.end() || known->second.until < time) {
+      const double until = std::max(time, latest_row_);
+      ends_[situation] = {until, uncertain_stage_end(sample_, situation, until)};
+    }
+    const std::optional<UncertainEvent>& event = ends_[situation].uncertain;
+    return event && event->time <= time ? event : std::nullopt;
+  }
+  void require_certain(const std::optional<UncertainEvent>& event, const NamedExpression& column) const {
+    if (event) throw UnansweredError(situation_.file, column.mark, in_words(*event));
   }
 
   // The statement with its contacts with friction in the states in which they are at these values; none if no contact
@@ -280,13 +313,11 @@ class AskedTable {
     return table_.over + " = " + with_digits(row / unit.factor, 6) + (unit.text.empty() ? "" : " " + unit.text);
   }
 
-  // Only the first row in which something is unphysical is kept.
-  void note_unphysical(const Sample& there, double row) {
+  void refuse_unphysical(const Sample& there) const {
     for (const auto& [home, solved] : there.instants()) {
       if (!solved->forces_solved()) continue;
       const std::vector<std::string> reasons = solved->unphysical();
-      if (reasons.empty()) continue;
-      sample_.note_unphysical_row(ask_.name, reasons.front() + ", from the row " + row_words(row) + " on");
+      if (!reasons.empty()) throw UnansweredError(situation_.file, ask_.mark, reasons.front(), "narrow the range");
     }
   }
 
@@ -299,8 +330,19 @@ class AskedTable {
   std::vector<Value<double>> values_;       // row by row
   std::vector<std::string> row_names_;      // of those in the row that is not ended
   std::optional<std::vector<std::string>> names_;
+  struct StageEnds {
+    double until = 0;
+    std::optional<UncertainEvent> uncertain{};
+  };
+  std::map<std::size_t, StageEnds> ends_;  // by situation
+  double latest_row_ = 0;                  // s, of a table over time
   using LeftOut = std::pair<std::string, std::vector<double>>;
   std::vector<LeftOut> left_out_;  // rows, by the reason
+  struct NotFollowed {
+    double time;  // s
+    std::exception_ptr why;
+  };
+  std::map<std::size_t, NotFollowed> not_followed_;  // by the situation
 };
 
 }  // namespace

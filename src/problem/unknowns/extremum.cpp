@@ -299,7 +299,8 @@ ExtremumFound ExtremumSearch::found_end() {
   const Span range = span();
   const double side = ask_.extremum->largest ? 1 : -1;
   // The grid of values runs towards the end that is asked for: evenly if the range is finite, otherwise in decades.
-  // Six values to each of the six decades about the scale: what holds on less than a sixth of a decade is passed over.
+  // Six values to each of the six decades about the scale: what holds on less than a sixth of a decade
+  // alone is sought by its margin (held_between).
   constexpr int count = 36;
   std::vector<double> grid;
   for (int i = 0; i <= count; ++i) {
@@ -336,6 +337,11 @@ ExtremumFound ExtremumSearch::found_end() {
       grid.insert(grid.begin(), 10 * grid.front());
       if (holds(grid.front())) at = std::prev(grid.rend());
     }
+  // What holds within a narrow range of values alone, as a force with little friction, has its largest margin there.
+  if (const std::optional<double> between = at == grid.rend() && ever_ ? held_between(grid) : std::nullopt) {
+    grid.insert(std::ranges::find_if(grid, [&](double value) { return side * (value - *between) > 0; }), *between);
+    at = std::find(grid.rbegin(), grid.rend(), *between);
+  }
   if (at == grid.rend()) {
     // At the ends of the grid, at zero above all, something else may be wrong than at values that are meant.
     if (!ever_ && refusal_ && truth_at(grid[grid.size() / 2]) == Truth::refused) {

@@ -56,6 +56,12 @@ class ExtremumSearch {
   // A value beyond an end at which they hold once more, as far as the gap before it is wide.
   std::optional<double> holds_again(double end, double gap);
   double border(double inside, double outside);
+  // How far the conditions are from failing at a value: below zero where one does. Nothing where that is not known.
+  std::optional<double> margin_at(double value);
+  std::optional<double> margin_of(const Expression& condition, Sample& sample);
+  // A value between those of a grid at which the conditions hold, though they do at none of these: nearest to the end
+  // of the grid, where the margin is largest. Nothing if there is none.
+  std::optional<double> held_between(const std::vector<double>& grid);
   // The settings of all situations at a value, one for each root of the other unknowns of a statement.
   std::vector<AllSettings> settings_at(double value, const Statement& statement) const;
   // The statement with the values of a root; for each combination of states of contacts with friction where these are

@@ -172,7 +172,8 @@ bool Sample::asks_own_unknown(const Expression& expression) const {
 
 bool Sample::contact_states_hold() {
   for (std::size_t i = 0; i < statement_.situations.size(); ++i) {
-    if (!statement_.situations[i].has_friction()) continue;
+    // In a blow they were found by impulses.
+    if (!statement_.situations[i].has_friction() || statement_.situations[i].has_blow()) continue;
     SolvedInstant& start = instant(start_of(i));
     start.solve_forces();
     if (!start.one_sided_faults().empty() || !leaves_limits(statement_.situations[i], settings_[i])) return false;

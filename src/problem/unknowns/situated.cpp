@@ -75,4 +75,18 @@ Situated situated(const Statement& statement, const Expression& expression) {
        "write @ " + one + " behind each quantity, as in theta @ " + one + " (the situations are " + names + ")");
 }
 
+Statement for_questions(const Statement& statement) {
+  Statement result = statement;
+  std::erase_if(result.situations, [&](const Situation& situation) {
+    const bool claimed = std::any_of(statement.claims.begin(), statement.claims.end(),
+                                     [&](const Claim& claim) { return claim.situation == situation.name; });
+    return claimed && !situation.name.empty() &&
+           std::none_of(statement.asks.begin(), statement.asks.end(), [&](const Ask& ask) {
+             return ask.table || ask.when || (ask.extremum && ask.extremum->situation == situation.name) ||
+                    names_situation(ask, situation.name);
+           });
+  });
+  return result.situations.empty() ? statement : result;
+}
+
 }  // namespace poinsot::problem

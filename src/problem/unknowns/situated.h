@@ -20,4 +20,7 @@ Situated situated(const Statement& statement, const Expression& expression);
 // Whether an ask names the situation after an @.
 bool names_situation(const Ask& ask, const std::string& situation);
 
+// The statement without situations that only claims are about: their letters are not data of the questions.
+Statement for_questions(const Statement& statement);
+
 }  // namespace poinsot::problem

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <random>
 #include <string_view>
 
 #include "problem/course/course.h"
+#include "problem/entries/drawn_letters.h"
 #include "problem/instant/instant_conditions.h"
 #include "problem/language/words.h"
 #include "problem/unknowns/unknown_ranges.h"
@@ -43,13 +43,12 @@ UnknownEquations::UnknownEquations(const Statement& statement, UnknownSystem sys
       settings_(settings),
       choice_(choice),
       trial_(settings),
-      slots_(system_.slots()) {
+      slots_(system_.slots(statement_)) {
   choice_.trial = true;
   for (Settings& one : trial_)
     for (const Unknown& unknown : all) {
       const double unit = unknown.unit.factor;
-      one.emplace(unknown.name, unknown.vector ? Value<double>::of_vector({unit, unit, unit}, unknown.unit.dimension)
-                                               : Value<double>::of_number(unit, unknown.unit.dimension));
+      one.emplace(unknown.name, value_of_unknown(unknown, {unit, unit, unit}, statement.situations.front().plane));
     }
   const std::vector<std::size_t> situations = system_.situations();
   // Natural sizes come from the problem, with each unknown at one unit.
@@ -220,7 +219,8 @@ const UnknownEquations::Evaluated& UnknownEquations::evaluate(const std::vector<
       GroupConditions& group = group_of(Aspect::positions);
       add(group.values, values.begin(), values.begin() + positions);
       group.size = 1;
-      if (with_words) std::ranges::transform(instant.position_sources(), std::back_inserter(group.words), words_of);
+      if (with_words)
+        for (const ConditionSource& source : instant.position_sources()) group.words.push_back(words_of(source));
       add(equations.values, values.begin(), values.begin() + positions);
     }
     if (has(Aspect::velocities)) {

@@ -224,7 +224,7 @@ namespace {
 // Infinite ranges, narrowed as stated.
 std::vector<solve::RootRange> stated_ranges(const Statement& statement, const UnknownSystem& system,
                                             const AllSettings& settings) {
-  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<UnknownSlot> slots = system.slots(statement);
   std::vector<solve::RootRange> ranges(slots.size(), {-infinite, infinite, 1});
   for (std::size_t i : system.situations())
     narrow_ranges(statement.situations[i], settings[i], ranges,
@@ -240,7 +240,7 @@ std::vector<solve::RootRange> stated_ranges(const Statement& statement, const Un
 
 std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, const UnknownSystem& system,
                                                   const AllSettings& settings) {
-  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<UnknownSlot> slots = system.slots(statement);
   const std::vector<std::size_t> situations = system.situations();
   const Situation& situation = statement.situations[situations.empty() ? 0 : situations.front()];
   const std::vector<solve::RootRange> ranges = stated_ranges(statement, system, settings);
@@ -257,7 +257,7 @@ std::vector<std::size_t> lengths_of_doubtful_sign(const Statement& statement, co
 
 std::vector<solve::RootRange> ranges_of(const Statement& statement, const UnknownSystem& system,
                                         const AllSettings& settings, const std::vector<double>& natural) {
-  const std::vector<UnknownSlot> slots = system.slots();
+  const std::vector<UnknownSlot> slots = system.slots(statement);
   const std::vector<std::size_t> situations = system.situations();
   const Situation& situation = statement.situations[situations.empty() ? 0 : situations.front()];
   std::vector<solve::RootRange> ranges = stated_ranges(statement, system, settings);

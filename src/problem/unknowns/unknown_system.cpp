@@ -4,6 +4,7 @@
 
 #include "problem/language/expression_walk.h"
 #include "problem/language/words.h"
+#include "problem/plane/planar_words.h"
 
 namespace poinsot::problem {
 
@@ -21,10 +22,11 @@ bool UnknownSystem::seeks(const std::string& name) const {
   return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& u) { return u.name == name; });
 }
 
-std::vector<UnknownSlot> UnknownSystem::slots() const {
+std::vector<UnknownSlot> UnknownSystem::slots(const Statement& statement) const {
   std::vector<UnknownSlot> list;
   for (const Unknown& unknown : unknowns)
-    for (std::size_t k = 0; k < (unknown.vector ? 3u : 1u); ++k) list.push_back({unknown, k});
+    for (const std::size_t k : sought_components(unknown, statement.situations.front().plane))
+      list.push_back({unknown, k});
   return list;
 }
 

@@ -33,7 +33,7 @@ struct UnknownSystem {
   std::vector<std::size_t> situations() const;
   bool has(const ConditionGroup& group) const;
   bool seeks(const std::string& name) const;
-  std::vector<UnknownSlot> slots() const;
+  std::vector<UnknownSlot> slots(const Statement& statement) const;
   bool operator==(const UnknownSystem& other) const;  // whether unknowns and groups are the same, in the same order
 };
 

@@ -201,8 +201,17 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   const bool has_arms = std::ranges::any_of(bodies, [](const solve::CheckBody& body) {
     return std::ranges::any_of(body.particles, [](const auto& one) { return norm(one.position) > 0; });
   });
-  for (solve::CheckBody& body : bodies)
-    if (!has_arms) body.moment_size += scales_.length * body.force_size;
+  // Where nothing has mass and nothing pushes, forces and couples are rounding of the equations, too.
+  const double natural_force = scales_.mass * scales_.length * pace() * pace();
+  const bool idle = std::ranges::all_of(bodies, [&](const solve::CheckBody& body) {
+    constexpr double rounding = 1e-12;
+    return !(mechanism.tree.body(body.link).inertia.mass > 0) &&
+           std::max(body.force_size, body.moment_size / scales_.length) <= rounding * natural_force;
+  });
+  for (solve::CheckBody& body : bodies) {
+    if (idle) body.force_size += natural_force;
+    if (!has_arms || idle) body.moment_size += scales_.length * body.force_size;
+  }
   // A couple alone leaves nothing but rounding of momenta, and a push towards the origin of moments.
   const double impulse_scale = std::max(impulse_size, impulse_moment_size / scales_.length);
   if (impulse_scale > 0)
@@ -231,9 +240,12 @@ SolvedInstant::Residuals SolvedInstant::check() const {
   if (rough_blow_) residuals.blow = rough_blow_misfit();
   if (before_ && !moving_ && !machine_.rough_contacts.empty()) residuals.friction = blow_friction_misfit();
   if (motion_) residuals.laws = std::max(law_misfit(), tooth_misfit());
-  if (before_ && !moving_ && !choice_.trial)
+  if (before_ && !moving_ && !choice_.trial) {
     residuals.laws =
         std::max(residuals.laws.value_or(0), misfit_of_blow(*before_, machine_, *data_, blow_, scales_.length));
+    if (const std::optional<double> off = misfit_of_restitution(*before_, *mechanism_state_, machine_, *data_))
+      residuals.laws = std::max(*residuals.laws, *off);
+  }
   if (linearisation_) {
     const std::size_t stage = built_stage_.value_or(0);
     const auto acting = stage < situation_.stages.size() ? situation_.stages[stage].loads : std::nullopt;

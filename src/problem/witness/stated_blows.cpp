@@ -77,4 +77,26 @@ double misfit_of_blow(const solve::MechanismState& before, const Machine& machin
   return worst;
 }
 
+std::optional<double> misfit_of_restitution(const solve::MechanismState& before, const solve::MechanismState& after,
+                                            const Machine& machine, DataScope<double>& data) {
+  using Real = solve::ParticlePaths::Real;
+  const solve::ParticlePaths coming = paths_of(before, machine, 0), leaving = paths_of(after, machine, 0);
+  std::optional<double> worst;
+  for (const Impact& impact : data.situation().impacts) {
+    if (!impact.restitution || impact.friction) continue;
+    const int of = machine.index.at(impact.of), against = machine.index.at(impact.against);
+    const StatedForce push = drawn_force(before, machine, data, of, impact.at, against, data.direction(impact.pushes));
+    const Real e = data.number(*impact.restitution, dimensions::none);
+    const Real u = dot(coming.velocity(of, push.at, against), push.force),
+               then = dot(leaving.velocity(of, push.at, against), push.force);
+    // Velocities that are almost the same leave rounding of their own.
+    constexpr double of_velocities = 1e-6;
+    const Real size =
+        std::max(std::abs(u), std::abs(then)) +
+        of_velocities * (norm(coming.velocity(of, push.at, ground)) + norm(leaving.velocity(of, push.at, ground)));
+    if (size > 0) worst = std::max(worst.value_or(0), static_cast<double>(std::abs(then + e * u) / size));
+  }
+  return worst;
+}
+
 }  // namespace poinsot::problem

@@ -234,15 +234,11 @@ double SolvedInstant::belt_misfit() const {
   return worst;
 }
 
-namespace {
-
 solve::ParticlePaths paths_of(const solve::MechanismState& state, const Machine& machine, double reach) {
   std::vector<solve::ParticlePaths::Body> bodies;
   for (const auto& [link, mass] : machine.masses) bodies.push_back({link, &mass.particles});
   return {machine.links, std::move(bodies), state.state().q, state.state().v, state.accelerations(), reach};
 }
-
-}  // namespace
 
 StatedForce drawn_force(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data, int body,
                         const std::optional<Expression>& at, int axes, const Vector3<double>& drawn) {

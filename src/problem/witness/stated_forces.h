@@ -35,6 +35,9 @@ std::vector<StatedForce> stated_forces(const solve::ParticlePaths& paths, const 
                                        DataScope<double>& data, const std::vector<double>& v,
                                        const std::optional<std::vector<std::string>>& loads);
 
+// The bodies of a machine on their way from the figure, in a state. reach: as of ParticlePaths.
+solve::ParticlePaths paths_of(const solve::MechanismState& state, const Machine& machine, double reach);
+
 // What acts at a place of a body as drawn, its mass center if none is given, and is drawn so on the axes of a body:
 // where it acts in a state, and along what.
 StatedForce drawn_force(const solve::MechanismState& state, const Machine& machine, DataScope<double>& data, int body,

@@ -105,16 +105,22 @@ ask: {N: force(mesh on gear).y, F: force(pin on gear).x, H: angular_momentum(gea
   EXPECT_LT(solution.checks.at("quantities"), 1e-10);
 }
 
-TEST(Unphysical, tables_say_from_which_row_on) {
+TEST(Unphysical, rows_of_tables_are_left_out) {
   const std::string table = "t: {table: {F: F, t: tension(c), a: acceleration(p).y}, over: {F: RANGE}}";
   const auto over = [&](const std::string& range) {
     std::string text = table;
-    return solved(hanging("5 N", text.replace(text.find("RANGE"), 5, range))).asks[0];
+    return solved(hanging("5 N", text.replace(text.find("RANGE"), 5, range)));
   };
-  EXPECT_EQ(over("0 N .. 19 N by 1 N").state, AskState::found);
-  const SolvedAsk refused = over("0 N .. 30 N by 10 N");
-  EXPECT_EQ(refused.state, AskState::refused);
-  EXPECT_EQ(refused.reason, "the cord 'c' would have to push: it goes slack, from the row F = 20 N on");
+  EXPECT_EQ(over("0 N .. 19 N by 1 N").asks[0].state, AskState::found);
+  const Solution some = over("0 N .. 30 N by 10 N");
+  ASSERT_EQ(some.asks[0].state, AskState::found);
+  EXPECT_EQ(some.asks[0].columns.front().values, (std::vector<double>{0, 10}));
+  EXPECT_TRUE(std::ranges::count(some.notes,
+                                 "t: the rows F = 20 N and F = 30 N have no answer and are left out: the cord "
+                                 "'c' would have to push: it goes slack"));
+  const SolvedAsk none = over("20 N .. 30 N by 10 N").asks[0];
+  EXPECT_EQ(none.state, AskState::undetermined);
+  EXPECT_TRUE(none.reason.starts_with("in every row: the cord 'c' would have to push: it goes slack")) << none.reason;
 }
 
 TEST(Unphysical, truths_about_forces_are_refused_but_for_what_tells_it) {

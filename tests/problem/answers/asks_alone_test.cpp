@@ -132,5 +132,26 @@ TEST(AsksAlone, AnExtremumThatIsNotSoughtBesideFriction) {
   EXPECT_THROW(SolvedText(pulled + "ask: {" + least + "}\n"), StatementError);
 }
 
+// Of a machine without mass and loads forces and couples are zero, and rounding of them is no fault.
+TEST(AsksAlone, TheMotionOfAMachineWithoutMass) {
+  const SolvedText solved(
+      "title: t\nplane: [x, y]\ngiven: {a: 3 in, h: 8 in}\npoints: {O: [0, 0], Q: [0, -h], P: [0, a]}\n"
+      "bodies: {crank: massless, arm: massless}\njoints:\n  j1: {revolute: z, at: O, to: crank, rate: 2 rad/s, accel: "
+      "0}\n  j2: {revolute: z, at: Q, to: arm, angle: q}\n  j3: {slot: [y, z], at: P, from: arm, to: crank}\n"
+      "gravity: none\nask: {w: q', most: max(q), M: drive(j1)}\n");
+  EXPECT_NEAR(solved.number("w"), 2 * 3.0 / 11, 1e-12);
+  EXPECT_NEAR(solved.number("most"), std::asin(3.0 / 8), 1e-9);
+  EXPECT_NEAR(solved.number("M"), 0, 1e-9);
+}
+
+// Data that are made of what is to be found are told like it.
+TEST(AsksAlone, DataMadeOfUnknowns) {
+  const SolvedText solved(
+      "title: t\ngiven: {m: 2 kg, I: m*r^2}\nfind: {r: m}\npoints: {O: [0, 0, 0]}\n"
+      "bodies: {hoop: {ring: {center: O, normal: z, radius: r}, mass: m}}\ngravity: none\n"
+      "facts: {moment_of_inertia(hoop about x at O): 4 kg*m^2}\nask: {I: I}\n");
+  EXPECT_NEAR(solved.number("I"), 8, 1e-9);
+}
+
 }  // namespace asks_alone_test
 }  // namespace poinsot::problem

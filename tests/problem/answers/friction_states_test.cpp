@@ -339,5 +339,53 @@ TEST(FrictionStates, that_assumptions_about_letters_exclude_are_none) {
               1e-9);
 }
 
+// A block on a rough table, hit by a bullet that stays. Struck along the table the contact has no impulse, and so no
+// friction; struck from above it has, which numbers tell.
+std::string block_hit(const std::string& head, const std::string& blow) {
+  return head +
+         "plane: [x, y]\npoints: {C: [0, 0]}\nbodies: {block: {particle: C, mass: M}}\n"
+         "contacts: {table: {of: block, at: C, normal: y, friction: mu}}\n" +
+         blow +
+         "gravity: -y\ninstants: {before: rest}\nask: {u: velocity(block).x @ after, far: max(center(block).x)}\n";
+}
+
+TEST(FrictionStates, that_a_blow_does_not_touch_are_told_in_letters) {
+  const std::string letters = "letters: {m: kg, M: kg, v: m/s, mu: 1}\n";
+  Statement statement = read_statement(
+      block_hit(letters, "strikes: {bullet: {hits: block, at: C, mass: m, velocity: [v, 0], stays: true}}\n"),
+      "test.yaml");
+  restrict_to_plane(statement);
+  const SolvedStatement found = solve_statement(statement, {});
+  ASSERT_EQ(found.solutions.size(), 1U);
+  EXPECT_TRUE(found.warnings.empty());
+  const auto& asks = found.solutions[0].asks;
+  ASSERT_TRUE(asks[0].formula && asks[1].formula) << asks[0].no_formula << asks[1].no_formula;
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> draw(0.5, 2);
+  for (int trial = 0; trial < 10; ++trial) {
+    const double m = draw(random), M = draw(random), v = draw(random), mu = draw(random), u = m * v / (M + m);
+    const LetterValues at{{"m", m}, {"M", M}, {"v", v}, {"mu", mu}};
+    EXPECT_NEAR(value_at(asks[0].formula->number, at), u, 1e-12);
+    EXPECT_NEAR(value_at(asks[1].formula->number, at), u * u / (2 * mu * g), 1e-9);
+  }
+}
+
+TEST(FrictionStates, that_a_blow_touches_are_left_to_numbers) {
+  for (const std::string along : {"[1, -1]", "[1, 1]"}) {
+    Statement statement =
+        read_statement(block_hit("letters: {M: kg, S: N*s, mu: 1}\n",
+                                 "impulses: {blow: {value: S, along: " + along + ", at: C, body: block}}\n"),
+                       "test.yaml");
+    restrict_to_plane(statement);
+    try {
+      solve_statement(statement, {});
+      ADD_FAILURE() << along;
+    } catch (const StatementError& error) {
+      EXPECT_EQ(error.diagnostics().front().message,
+                "the blow presses or lifts contacts with friction: that is solved for numbers, and 'M' has no value");
+    }
+  }
+}
+
 }  // namespace friction_states_test
 }  // namespace poinsot::problem

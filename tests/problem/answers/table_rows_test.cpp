@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
@@ -73,6 +74,27 @@ TEST(TableRows, a_row_that_contradicts_the_file_is_left_out) {
   };
   EXPECT_TRUE(told("t: the row h = 0 m has no answer and is left out: contact 'floor' is open"));
   EXPECT_TRUE(told("t: the row h = -2 m has no answer and is left out: contact 'floor' is open"));
+}
+
+// A bead that is pulled ever harder is gone after 1.3 s: that is found once, not for each row.
+TEST(TableRows, a_motion_that_cannot_be_followed_is_tried_once) {
+  const auto work_of = [](const std::string& end) {
+    const Work before = work_done();
+    const Solution solved =
+        solve_statement(read_statement("points: {O: [0, 0, 0]}\nbodies: {b: {particle: O, mass: 1 kg}}\n"
+                                       "joints: {rail: {prismatic: x, at: O, to: b, displacement: s}}\n"
+                                       "loads: {pull: {force: 1 N*(1 + (s/(1 m))^2)^2, along: x, body: b}}\n"
+                                       "gravity: none\ninstants: {start: {s: 0, s': 1 m/s}}\n"
+                                       "ask: {t: {table: {s: s}, over: {time: 0 s .. " +
+                                           end + " by 0.5 s}}}\n",
+                                       "rows.yaml"),
+                        {})
+            .solutions.at(0);
+    EXPECT_EQ(solved.asks.at(0).state, AskState::found) << solved.asks.at(0).reason;
+    EXPECT_EQ(solved.asks.at(0).over->values, (std::vector<double>{0, 0.5, 1}));
+    return work_done() - before;
+  };
+  EXPECT_LT(static_cast<double>(work_of("40 s")), 1.5 * static_cast<double>(work_of("1.5 s")));
 }
 
 }  // namespace table_rows_test

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "poinsot/engine/work/work.h"
 #include "problem/answers/solve_statement.h"
 
 namespace poinsot::problem {
@@ -76,6 +77,19 @@ TEST(ClaimsAlongTheMotion, AMachineIsFollowedUntilItHasGoneRound) {
   EXPECT_FALSE(told.at(0).holds);
   // Only the near dead center is assumed.
   EXPECT_TRUE(told.at(1).holds && told.at(2).holds);
+}
+
+// A load that is drawn up into the hole in which its cord turns trembles there, in steps that lead nowhere.
+TEST(ClaimsAlongTheMotion, WhatTremblesAboutAPlaceIsGivenUp) {
+  const Work begin = work_done();
+  const std::vector<SolvedClaim> told = claims_of(
+      "letters: {m: kg, M: kg, r: m, h: m}\npoints: {O: [0, 0, 0], A: [r, 0, 0], B: [0, 0, -h]}\n"
+      "bodies: {a: {particle: A, mass: m}, b: {particle: B, mass: M}}\ncontacts: {c: {of: a, at: A, normal: z}}\n"
+      "joints: {g: {prismatic: z, at: B, to: b}}\ncords: {s: {from: a, at: A, over: [O], to: b, end: B}}\n"
+      "gravity: -z\n",
+      "  conserved: rate(kinetic_energy(system) + potential_energy(system)) == 0\n");
+  EXPECT_TRUE(told.at(0).state == AskState::found && told.at(0).holds) << told.at(0).reason;
+  EXPECT_LT(work_done() - begin, 2'500'000'000);
 }
 
 }  // namespace claims_along_the_motion_test

@@ -7,6 +7,7 @@
 
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/answers/solve_statement.h"
+#include "problem/language/failure.h"
 
 namespace poinsot::problem {
 namespace claims_told_test {
@@ -221,6 +222,36 @@ TEST(ClaimsTold, DerivativesByALetterAreToldAtItsValuesIfTheyHoldForAll) {
   // It fails for some letters, which says nothing of these.
   EXPECT_NE(set.at(1).state, AskState::found);
   EXPECT_NE(set.at(1).reason.find("leave them open"), std::string::npos) << set.at(1).reason;
+}
+
+// A square plate on a shaft along its diagonal is balanced, which another's sides do not change.
+TEST(ClaimsTold, WhatIsAssumedNeedNotHoldAtTheValuesOfTheLetters) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {m: kg, a: m, b: m, w: rad/s}\npoints: {O: [0, 0, 0], A: [a, b, 0]}\n"
+      "bodies: {plate: {rectangle: {corners: [O, '[a, 0, 0]', A]}, mass: m}}\n"
+      "joints: {shaft: {revolute: O->A, to: plate, rate: w, accel: 0}}\ngravity: none\n"
+      "define: {M: norm(reaction_couple(shaft))}\n"
+      "claim: {square: {claim: M == 0, assume: [a == b]}, long: {claim: M == 0, assume: [a > 2*b]}}\n",
+      "claims.yaml");
+  const auto claims = [&](const std::vector<std::pair<std::string, std::string>>& sets) {
+    return solve_statement(statement, sets).solutions.at(0).claims;
+  };
+  const std::vector<SolvedClaim> set = claims({{"m", "3 kg"}, {"a", "0.4 m"}, {"b", "0.3 m"}, {"w", "20 rad/s"}});
+  EXPECT_TRUE(set.at(0).state == AskState::found && set.at(0).holds) << set.at(0).reason;
+  // What fails for some letters that satisfy it says nothing of these.
+  EXPECT_NE(set.at(1).state, AskState::found);
+}
+
+// Most letters that are drawn are moments of no body. What is wrong with the claim is said all the same.
+TEST(ClaimsTold, WhatIsWrongWithAClaimStandsBeforeValuesOfNoBody) {
+  const Statement statement = read_statement(
+      "title: t\nletters: {A: kg*m^2, B: kg*m^2, C: kg*m^2, P: {signed: kg*m^2}}\npoints: {G: [0, 0, 0]}\n"
+      "bodies: {b: {mass: 1 kg, center: G, inertia: {x: A, y: B, z: C, xy: P, yz: 0, zx: 0}}}\ngravity: none\n"
+      "claim: {c: 'products_of_inertia(b about G).x <= A + B'}\n",
+      "claims.yaml");
+  const std::string said = failure_of([&] { solve_statement(statement, {}); });
+  EXPECT_EQ(said.find("no rigid body"), std::string::npos) << said;
+  EXPECT_NE(said.find("claims.yaml:6"), std::string::npos) << said;
 }
 
 }  // namespace claims_told_test

@@ -212,5 +212,22 @@ TEST(EndlessExtremes, WhatFrictionHoldsStaysWhereItIs) {
   EXPECT_TRUE(solved.reason("t").starts_with("touching(floor) does not happen up to ")) << solved.reason("t");
 }
 
+// A pendulum that is let go on a cart brings the cart back to where it stood: that is its least place to all digits,
+// and so zero for all letters, where the way back was told to 1e-12 m.
+TEST(EndlessExtremes, WhatComesBackToItsStart) {
+  const std::string cart =
+      "assume: [0 < b < 90 deg]\npoints: {O: [0, 0, 0], P: [0, -L, 0]}\n"
+      "bodies: {cart: {particle: O, mass: M}, bob: {particle: P, mass: m}}\n"
+      "joints: {rail: {prismatic: x, at: O, to: cart, displacement: s}, pin: {revolute: z, at: O, from: cart, to: bob, "
+      "angle: theta}}\ngravity: -y\ninstants: {start: {theta: b, theta': 0, s: 0, s': 0}}\n"
+      "ask: {least: min(s), most: max(s)}\n";
+  const SolvedText numbers("title: t\ngiven: {m: 14.3 kg, M: 1.97 kg, L: 1.74 m, b: 0.639 rad}\n" + cart);
+  EXPECT_EQ(numbers.number("least"), 0);
+  EXPECT_NEAR(numbers.number("most"), 2 * 14.3 * 1.74 * std::sin(0.639) / (14.3 + 1.97), 1e-9);
+  const SolvedText letters("title: t\nletters: {m: kg, M: kg, L: m, b: rad}\n" + cart);
+  EXPECT_EQ(letters.ask("least").state, AskState::found) << letters.ask("least").no_formula;
+  EXPECT_EQ(letters.number("least"), 0);
+}
+
 }  // namespace endless_extremes_test
 }  // namespace poinsot::problem

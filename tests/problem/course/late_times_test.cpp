@@ -33,6 +33,19 @@ TEST(LateTimes, EulerianAnglesOfATop) {
   EXPECT_LT(error->second, 1e-7);
 }
 
+// A wheel goes on turning beside a mass on a spring that has long come to rest.
+TEST(LateTimes, AnAngleThatGrowsBesideWhatHasDiedOut) {
+  const SolvedText solved(
+      "title: t\npoints: {B: [6 m, 0, 0], Q: [3 m, 0, 0]}\n"
+      "bodies: {disk: {mass: 2 kg, center: B, radii_of_gyration: {axis: z, axial: 5 cm, transverse: 5 cm}}, block: "
+      "{particle: Q, mass: 2 kg}}\n"
+      "joints:\n  rail: {prismatic: x, at: Q, to: block, displacement: s, spring: {stiffness: 50 N/m}, damping: 3 "
+      "N*s/m}\n  axle: {revolute: z, at: B, to: disk, angle: a}\n"
+      "instants: {start: {s: 0.1 m, s': 0, a: 0, a': 2 rad/s}}\ngravity: -y\nask: {s: s @ 1e9 s, a: a @ 1e9 s}\n");
+  EXPECT_NEAR(solved.number("s"), 0, 1e-12);
+  EXPECT_NEAR(solved.number("a"), 2e9, 1e-2);
+}
+
 // Neither the first nor the last of the angles turns about a line about which the motion comes back.
 TEST(LateTimes, AnglesThatMustBeCountedTurnByTurnSayso) {
   const SolvedText solved(top +

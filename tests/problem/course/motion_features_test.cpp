@@ -55,6 +55,20 @@ TEST(MotionFeatures, AreThoseOfASineWithoutEnd) {
   EXPECT_NEAR(sine.period(), 2 * pi, 1e-8);
 }
 
+TEST(MotionFeatures, WhatIsApproachedForEverIsALimit) {
+  EvenSteps motion({});
+  motion.dissipate();
+  // What is followed keeps some rounding.
+  const auto comes_close = [](double t) { return std::tanh(t) + 1e-13 * std::sin(40 * t); };
+  const ExtremeFound last_speed = features_of(motion, comes_close).largest();
+  EXPECT_NEAR(last_speed.value, 1, 1e-7);
+  EXPECT_TRUE(last_speed.approached);
+  const auto arrives = [](double t) { return (t < 3 ? 1 - std::pow(1 - t / 3, 4) : 1) + 1e-13 * std::sin(40 * t); };
+  EXPECT_FALSE(features_of(motion, arrives).largest().approached);
+  EXPECT_FALSE(features_of(motion, [](double t) { return std::sin(t); }).largest().approached);
+  EXPECT_FALSE(features_of(motion, [](double t) { return std::exp(-t) * std::cos(3 * t); }).largest().approached);
+}
+
 TEST(MotionFeatures, FindZerosInTheSenseThatIsAsked) {
   EvenSteps motion(10.0);
   const MotionFeatures sine = features_of(motion, [](double t) { return std::cos(t); });

@@ -84,6 +84,35 @@ std::string just_reaching(const std::string& ask) {
          ask + "}\n";
 }
 
+// An instant so near the top that the pendulum creeps may come at quite another time, and so may the end of a stage.
+TEST(SensitiveClosedForms, WhatFollowsAnUncertainInstantIsRefused) {
+  std::string text = just_reaching(
+      "a: q @ later, e: q @ up.end, early: q @ 1 s, tab: {table: {q: q}, over: {time: '0 s .. 12 s by 2 s'}}, "
+      "lengths: {table: {w: q' @ top}, over: {L: [0.5 m]}}, own: q' @ top");
+  text.replace(text.find("instants: {"), 11,
+               "stages: {up: {until: q == 179.9999999 deg}, later: {lasts: 10 s}}\n"
+               "instants: {top: {first_time: q == 179.9999999 deg}, ");
+  const SolvedText solved(text);
+  for (const char* refused : {"a", "e", "own", "lengths"})
+    EXPECT_NE(solved.reason(refused).find("so sensitive"), std::string::npos) << refused << solved.reason(refused);
+  EXPECT_EQ(solved.found("early").state, AskState::found);
+  EXPECT_EQ(solved.column("tab", 0).size(), 3U);
+}
+
+// An instant of the same name in another situation has no part in it.
+TEST(SensitiveClosedForms, AnUncertainInstantOfAnotherSituationIsNone) {
+  const auto situation = [](const std::string& name, const std::string& rate) {
+    return "  " + name + ":\n    points: {O: [0, 0, 0], P: [0, -L, 0]}\n    bodies: {b: {particle: P, mass: 1 kg}}\n" +
+           "    joints: {pin: {revolute: z, at: O, to: b, angle: q}}\n    gravity: -y\n" +
+           "    instants: {start: {q: 0, q': " + rate + "}, top: {first_time: q == 179.9999999 deg}}\n";
+  };
+  const SolvedText solved("title: t\ngiven: {L: 0.5 m, g: 9.81 m/s^2}\nsituations:\n" +
+                          situation("just", "2*sqrt(g/L)") + situation("fast", "3*sqrt(g/L)") +
+                          "ask: {slow: q' @ just.top, quick: q' @ fast.top}\n");
+  EXPECT_NE(solved.reason("slow").find("so sensitive"), std::string::npos) << solved.reason("slow");
+  EXPECT_NEAR(solved.number("quick"), std::sqrt(5 * 9.81 / 0.5), 1e-6);
+}
+
 TEST(SensitiveClosedForms, APendulumJustReachesItsHighestPlace) {
   const double n = std::sqrt(9.81 / 0.5);
   const SolvedText solved(just_reaching("q: q @ 2 s, t: {first_time: q == 170 deg}, top: max(q)"));

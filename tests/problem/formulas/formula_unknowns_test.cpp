@@ -82,6 +82,36 @@ TEST(SolveUnknowns, SeveralOneByOne) {
   EXPECT_NEAR(value_at(found.at("y"), {{"a", 2}, {"b", 3}}), 2, 1e-14);
 }
 
+// a sin x - b cos x + c = 0 is (b + c) t^2 + 2 a t + (c - b) = 0 with t = tan(x/2); with + b cos x the leading
+// coefficient c - b may vanish, where x = pi is a root.
+TEST(SolveUnknowns, TellsWhatMustNotVanishInHalfTangents) {
+  const Formula a = letter("a"), b = letter("b"), c = letter("c"), x = unknown("x");
+  const PlainPointScope point({{"a", 2}, {"b", 1}, {"c", 1.5}});
+  std::vector<Formula> leading;
+  const double near = 2 * std::atan((-4 + std::sqrt(16 - 4 * 0.5 * 2.5)) / (2 * 0.5));
+  const auto found = solve_unknowns({a * sin(x) + b * cos(x) + c}, {{"x", true, near}}, &leading);
+  EXPECT_NEAR(value_at(found.at("x"), {{"a", 2}, {"b", 1}, {"c", 1.5}}), near, 1e-12);
+  ASSERT_EQ(leading.size(), 1U);
+  EXPECT_NEAR(value_at(leading[0], {{"a", 2}, {"b", 1}, {"c", 1}}), 0, 1e-15);
+  EXPECT_GT(std::abs(value_at(leading[0], {{"a", 2}, {"b", 1}, {"c", 1.5}})), 1e-3);
+}
+
+// k (|x| - l) sign(x) = f: on either side of the origin by another formula.
+TEST(SolveUnknowns, TakesASizeWithItsSignAtTheRoot) {
+  const Formula k = letter("k"), l = letter("l"), f = letter("f"), x = unknown("x");
+  const Formula remainder = (abs(x) - l) * (abs(x) / x) * k - f;
+  for (const double root : {4.0, -2.0}) {
+    const PlainPointScope point({{"k", 1}, {"l", 3}, {"f", 1}, {"x", root}});
+    const std::vector<UnknownLetter> letters{{"x", false, root}};
+    const std::vector<DecidedSign> signs = signs_of_unknowns({remainder}, letters);
+    ASSERT_EQ(signs.size(), 1U);
+    EXPECT_EQ(signs[0].sign, root < 0 ? -1 : 1);
+    EXPECT_NEAR(value_at(signs[0].positive(), {{"x", root}}), std::abs(root), 1e-15);
+    const auto found = solve_unknowns({with_signs(remainder, signs)}, letters);
+    EXPECT_TRUE((found.at("x") - (f / k + (root < 0 ? -l : l))).is_zero());
+  }
+}
+
 TEST(SolveUnknowns, SaysWhatHasNoFormula) {
   const Formula a = letter("a"), x = unknown("x");
   const PlainPointScope point({{"a", 2}, {"x", 1}});

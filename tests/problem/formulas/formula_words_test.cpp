@@ -93,5 +93,30 @@ ask: {N: I*angular_acceleration(drum)}
   }
 }
 
+// An inequality is true for all letters if no sign that decides it can change, and is not told elsewhere.
+TEST(FormulaWords, inequalities_that_hold_for_all_letters) {
+  const auto asked = [](const std::string& head, const std::string& asks) {
+    return solved(head +
+                  "letters: {m: kg, F: N}\npoints: {O: [0, 0, 0], P: [0, -1 m, 0]}\n"
+                  "bodies: {b: {particle: P, mass: m}}\ncords: {c: {from: ground, at: O, to: b, end: P}}\n"
+                  "gravity: -y\ninstants: {now: rest}\nask: {" +
+                  asks + "}\n");
+  };
+  const Solution open = asked("", "u: tension(c) > 0 N, v: tension(c) < F, w: tension(c) >= m*g");
+  EXPECT_EQ(open.asks[0].state, AskState::found) << open.asks[0].no_formula;
+  EXPECT_TRUE(open.asks[0].value.truth);
+  for (const std::size_t i : {1U, 2U}) EXPECT_EQ(open.asks[i].state, AskState::needs_letters) << i;
+  EXPECT_EQ(open.asks[1].no_formula, "it is not the same for all letters");
+  EXPECT_EQ(open.asks[2].no_formula, "both sides are the same whatever the letters are");
+  const Solution assumed = asked("assume: [F > 2*m*g]\n", "u: 0 N < tension(c) < F, v: tension(c) > F/2");
+  for (const std::size_t i : {0U, 1U}) EXPECT_EQ(assumed.asks[i].state, AskState::found) << assumed.asks[i].no_formula;
+  EXPECT_TRUE(assumed.asks[0].value.truth);
+  EXPECT_FALSE(assumed.asks[1].value.truth);
+  // What fails on less than a trial meets is left to claims: at F = 3 m g.
+  const Solution narrow = asked("assume: [F > 2*m*g]\n", "u: '(F/tension(c) - 3)^2 > 1e-9'");
+  EXPECT_EQ(narrow.asks[0].state, AskState::needs_letters);
+  EXPECT_EQ(narrow.asks[0].no_formula, "it is not the same for all letters that are assumed");
+}
+
 }  // namespace formula_words_test
 }  // namespace poinsot::problem

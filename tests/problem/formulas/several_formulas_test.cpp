@@ -9,6 +9,8 @@
 #include "poinsot/engine/math/formula/formula_text.h"
 #include "problem/answers/solve_statement.h"
 #include "problem/formulas/formula_answers.h"
+#include "problem/formulas/formula_conditions.h"
+#include "problem/formulas/formula_words.h"
 
 namespace poinsot::problem {
 namespace several_formulas_test {
@@ -121,6 +123,107 @@ TEST(SeveralFormulas, laws_may_be_sums_roots_of_sums_and_roots_of_quadratic_equa
     ASSERT_TRUE(thrown.asks[i].formula) << i << ": " << thrown.asks[i].no_formula;
     EXPECT_NEAR(value_at(thrown.asks[i].formula->number, at), expected[i], 1e-8 * std::abs(expected[i])) << i;
   }
+}
+
+// The largest moment of a brick is that across its shortest side, in whatever order the sides are. A formula found
+// where one side is next to nothing once left out the condition on the others.
+TEST(SeveralFormulas, of_a_brick_hold_in_every_order_of_its_sides) {
+  const Statement statement = read_statement(
+      "letters: {m: kg, a: m, b: m, c: m}\npoints: {G: [0, 0, 0]}\n"
+      "bodies: {brick: {box: {center: G, sides: [a*x, b*y, c*z]}, mass: m}}\n"
+      "ask: {big: max(principal_moments(brick about G))}\n",
+      "brick.yaml");
+  const Solution solution = solve_statement(statement, {}).solutions.at(0);
+  const SolvedAsk& big = solution.asks.at(0);
+  ASSERT_EQ(big.regimes.size(), 3U);
+  std::vector<double> sides{1, 2, 3};
+  do {
+    const LetterValues at{{"m", 12}, {"a", sides[0]}, {"b", sides[1]}, {"c", sides[2]}};
+    int told = 0;
+    for (const RegimeFormula& one : big.regimes) {
+      if (!std::ranges::all_of(one.where, [&](const std::string& words) {
+            return holds_as_told(words, statement.situations.front().letters, at) != false;
+          }))
+        continue;
+      ++told;
+      EXPECT_NEAR(value_at(one.formula.number, at), 13, 1e-12) << sides[0] << sides[1] << sides[2];
+    }
+    EXPECT_EQ(told, 1) << sides[0] << sides[1] << sides[2];
+  } while (std::ranges::next_permutation(sides).found);
+}
+
+// The only unknown of each solution, with what is told of all formulas.
+Texts solutions_of(const std::string& statement) {
+  Texts all;
+  for (const Solution& solution : solve_statement(read_statement(statement, "roots.yaml"), {}).solutions) {
+    std::string where;
+    for (const FormulaCondition& condition : solution.grounds)
+      if (condition.asks.empty() || condition.inequality == condition.words)
+        where += (where.empty() ? " where " : ", ") + condition.words;
+    const SolvedUnknown& unknown = solution.unknowns.at(0);
+    all.push_back((unknown.formula ? formula_words(unknown.formula->number) : "no formula") + where);
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+// A ball on a spring in a turning tube goes out without end where the spring is too soft. At x < 0 it is on the other
+// side, at as large a distance.
+TEST(SeveralFormulas, the_sign_of_a_length_is_a_condition_of_its_formula) {
+  EXPECT_EQ(solutions_of(R"(letters: {m: kg, k: N/m, l: m}
+given: {w: 5 rad/s}
+find: {X: m}
+points: {O: [0, 0, 0], P: [X, 0, 0]}
+bodies: {tube: massless, b: {particle: P, mass: m}}
+joints: {s: {revolute: z, at: O, to: tube, rate: w, accel: 0}, t: {prismatic: x, at: P, from: tube, to: b}}
+springs: {sp: {from: tube, at: O, to: b, end: P, stiffness: k, free_length: l}}
+steady: {frame: tube}
+gravity: none
+ask: {x: X, T: norm(force(sp on b))}
+)"),
+            (Texts{"k*l/(25*m - k) where k - 25*m > 0", "k*l/(k - 25*m) where k - 25*m > 0"}));
+}
+
+// A mass stands on its spring where this can carry it, and hangs from it in any case: at the first letters that are
+// drawn it may do one of the two only.
+TEST(SeveralFormulas, a_solution_that_is_there_at_some_letters_only_is_told_too) {
+  EXPECT_EQ(solutions_of(R"(letters: {m: kg, k: N/m, l: m}
+find: {u: m}
+points: {O: [0, 0, 0], P: [0, -u, 0]}
+bodies: {b: {particle: P, mass: m}}
+joints: {t: {prismatic: y, at: P, to: b, displacement: s}}
+springs: {sp: {from: ground, at: O, to: b, end: P, stiffness: k, free_length: l}}
+gravity: -y
+instants: {now: {"s'": 0, "s''": 0}}
+ask: {u: u}
+)"),
+            (Texts{"9.80665*m/k - l where l - 9.80665*m/k > 0", "l + 9.80665*m/k"}));
+}
+
+// Of two equal moments a top has one precession only; who assumes that they differ knows it.
+TEST(SeveralFormulas, what_is_assumed_is_not_told_again) {
+  const auto told = [](const std::string& assumed) {
+    const SolvedStatement solved = solve_statement(read_statement("letters: {I: kg*m^2, J: kg*m^2, S: rad/s, M: N*m}\n"
+                                                                  "given: {b: 60 deg}\nfind: {P: rad/s}\n" +
+                                                                      assumed +
+                                                                      R"(points: {G: [0, 0, 0]}
+directions: {u: [sin(b), 0, cos(b)]}
+frames: {figure: {turns: z, rate: P}}
+bodies: {top: {mass: 1 kg, center: G, inertia: {axis: u, axial: I, transverse: J}}}
+joints: {tip: {ball: G, to: top}}
+loads: {weight: {couple: [0, M, 0], body: top}}
+steady: {frame: figure, spins: {top: {about: u, rate: S}}}
+gravity: none
+ask: {P: P}
+)",
+                                                                  "top.yaml"),
+                                                   {});
+    return std::ranges::count(solved.solutions.at(0).assumptions, "I - J != 0");
+  };
+  EXPECT_EQ(told(""), 1);
+  EXPECT_EQ(told("assume: [J > I]\n"), 0);
+  EXPECT_EQ(told("assume: [I > 2*J]\n"), 0);
+  EXPECT_EQ(told("assume: [I > J/2]\n"), 1);
 }
 
 }  // namespace several_formulas_test

@@ -151,6 +151,29 @@ TEST(NearInLetters, AConicalPendulumOnABallJoint) {
   }
 }
 
+// The rate at which it circles is found: only with its formula the motion is steady.
+TEST(NearInLetters, AConicalPendulumWhoseRateIsFound) {
+  const SolvedText solved(
+      "title: t\nletters: {m: kg, L: m, b: rad}\nfind: {W: rad/s}\nwhere: [W > 0]\nassume: [10 deg < b < 80 deg]\n"
+      "points: {O: [0, 0, 0], P: '[L*sin(b), 0, -L*cos(b)]'}\nframes: {f: {turns: z, rate: W}}\n"
+      "bodies: {bob: {particle: P, mass: m}}\n"
+      "joints: {pin: {universal: [z, y], at: O, to: bob, freedoms: {first: {angle: phi}, second: {angle: th}}}}\n"
+      "steady: {frame: f}\ngravity: -z\nask: {f: frequencies(bob), e: '[W, max(frequencies(system))]'}\n");
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> draw(0.3, 1.3);
+  for (int i = 0; i < 20; ++i) {
+    const double L = draw(random), b = draw(random), W = std::sqrt(9.80665 / (L * std::cos(b)));
+    const LetterValues at{{"m", 1}, {"L", L}, {"b", b}};
+    const auto &f = formula(solved, "f").items, &e = formula(solved, "e").items;
+    ASSERT_EQ(f.size(), 1U);
+    const double expected = W * std::sqrt(1 + 3 * std::pow(std::cos(b), 2));
+    EXPECT_NEAR(value_at(f[0].number, at), expected, 1e-12 * expected);
+    ASSERT_EQ(e.size(), 2U);
+    EXPECT_NEAR(value_at(e[0].number, at), W, 1e-12 * W);
+    EXPECT_NEAR(value_at(e[1].number, at), expected, 1e-12 * expected);
+  }
+}
+
 // A sleeping top tilts by exp(i p t) with J p^2 - I s p + m g c = 0, here with J = 2 m c^2 = 2 I: it swings where the
 // roots are real, and falls as it goes round where they are not.
 TEST(NearInLetters, ASleepingTopWhereItStandsAndWhereItFalls) {
@@ -177,6 +200,60 @@ TEST(NearInLetters, ASleepingTopWhereItStandsAndWhereItFalls) {
     for (const auto& one : f) EXPECT_NEAR(value_at(one.number, at), s / 4, 1e-12);
     EXPECT_NEAR(value_at(formula(falls, "grows").number, at), std::sqrt(8 * 1.3 / 0.5 - s * s) / 4, 1e-12);
   }
+}
+
+// A satellite free in space: what its frame rides on says nothing of the mass center, and what is tilted for good only
+// goes round in it.
+void expect_nutation(const std::string& bodies, const std::string& more, double of_wheel) {
+  const SolvedText solved(
+      "title: t\nletters: {I: kg*m^2, J: kg*m^2, K: kg*m^2, W: rad/s, n: rad/s}\n"
+      "points: {G: [0, 0, 0]}\nbodies:\n" +
+      bodies + "frames: {f: {rides_on: center(bus), turns: z, rate: W}}\n" + more +
+      "ask: {f: frequencies(bus), e: eigenvalues(system)}\n");
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> draw(0.5, 2);
+  for (int trial = 0; trial < 20; ++trial) {
+    const double I = draw(random), J = draw(random), K = 0.1 * draw(random), W = draw(random), n = 10 * draw(random);
+    const LetterValues at{{"I", I}, {"J", J}, {"K", K}, {"W", W}, {"n", n}};
+    const double swing = std::abs((I * W + of_wheel * K * (n + W)) / J - W);
+    const auto &f = formula(solved, "f").items, &e = formula(solved, "e").items;
+    ASSERT_EQ(f.size(), 1U);
+    EXPECT_NEAR(value_at(f[0].number, at), swing, 1e-12);
+    ASSERT_EQ(e.size(), 1U);
+    EXPECT_EQ(value_at(e[0].items[0].number, at), 0);
+    EXPECT_NEAR(value_at(e[0].items[1].number, at), swing, 1e-12);
+  }
+}
+
+TEST(NearInLetters, ASatelliteInAFrameThatRidesOnIt) {
+  expect_nutation("  bus: {mass: 3 kg, center: G, inertia: {axis: z, axial: I, transverse: J}}\n",
+                  "steady: {frame: f}\ngravity: -x\n", 0);
+  expect_nutation(
+      "  bus: {mass: 3 kg, center: G, inertia: {axis: z, axial: I, transverse: J - K/2}}\n"
+      "  wheel: {mass: 1 kg, center: G, inertia: {axis: z, axial: K, transverse: K/2}}\n",
+      "joints: {axle: {revolute: z, at: G, from: bus, to: wheel, rate: n, accel: 0}}\n"
+      "steady: {frame: f, spins: {wheel: {about: z, rate: n}}}\ngravity: none\n",
+      1);
+}
+
+// A rod that hangs on a shaft that turns stands out wherever it does, and a bead on a hoop that turns slowly need not
+// stay at the bottom.
+TEST(NearInLetters, StabilityForAllLettersAndForSome) {
+  const SolvedText stands(
+      "title: t\nletters: {L: m, w: rad/s}\nfind: {b: deg}\nwhere: [0 deg < b < 90 deg]\n"
+      "points: {O: [0, 0, 0], A: '[L*sin(b), -L*cos(b), 0]'}\nbodies: {shaft: massless, rod: {rod: [O, A], mass: 2 "
+      "kg}}\n"
+      "joints: {s: {revolute: y, at: O, to: shaft, rate: w, accel: 0}, p: {revolute: z, at: O, from: shaft, to: rod}}\n"
+      "gravity: -y\nsteady: {frame: shaft}\nask: {st: stable(rod), word: stability(rod)}\n");
+  EXPECT_EQ(stands.ask("st").state, AskState::found) << stands.ask("st").no_formula;
+  EXPECT_TRUE(stands.ask("st").value.truth);
+  EXPECT_EQ(stands.ask("word").value.text, "stable");
+  const SolvedText hangs(
+      "title: t\nletters: {R: m, w: rad/s}\npoints: {O: [0, 0, 0], P: [0, 0, -R]}\nframes: {f: {turns: z, rate: w}}\n"
+      "bodies: {bead: {particle: P, mass: 1 kg}}\njoints: {hoop: {revolute: y, at: O, from: f, to: bead, angle: t}}\n"
+      "steady: {frame: f}\ngravity: -z\nask: {st: stability(bead)}\n");
+  EXPECT_EQ(hangs.ask("st").state, AskState::needs_letters);
+  EXPECT_EQ(hangs.ask("st").no_formula, "it is not the same for all letters");
 }
 
 // Three freedoms that do not fall apart have a cubic, and what has a damper between two freedoms a quartic.

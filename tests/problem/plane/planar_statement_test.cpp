@@ -69,9 +69,9 @@ TEST(PlanarStatement, OnlyComponentsOfOneVectorAreOnTheAxesOfThePlane) {
       "title: t\ngravity: -y\nplane: [y, x]\npoints: {O: [0, 0], A: [1 m, 2 m]}\n"
       "bodies: {one: {rod: [O, A], mass: 2 kg}}\njoints: {pin: {revolute: z, at: O, to: one}}\n"
       "facts: {angular_velocity(one): 3 rad/s}\n"
-      "ask: {v: velocity(A of one), two: [velocity(A of one).x, velocity(A of one).x], back: [velocity(A of one).x, "
-      "velocity(A of one).y], points: [velocity(A of one).y, velocity(O of one).x]}\n");
-  EXPECT_EQ(found.at("v").component_names, (std::vector<std::string>{"y", "x"}));
+      "ask: {v: velocity(A of one), two: [velocity(A of one).x, velocity(A of one).x], back: [velocity(A of one).y, "
+      "velocity(A of one).x], points: [velocity(A of one).y, velocity(O of one).x]}\n");
+  EXPECT_EQ(found.at("v").component_names, (std::vector<std::string>{"x", "y"}));
   for (const char* name : {"two", "back", "points"}) EXPECT_TRUE(found.at(name).component_names.empty()) << name;
 }
 
@@ -173,13 +173,59 @@ TEST(PlanarStatement, TakesListsInQuestionsForVectors) {
   EXPECT_NEAR(found.at("norm").value.number, 4, 1e-14);
   EXPECT_NEAR(found.at("far").value.number, 5, 1e-14);
   EXPECT_NEAR(found.at("H").value.number, -2.0 * (2 * 6 - 3 * 3), 1e-13);
-  // On z and x, as answers are.
-  EXPECT_NEAR(found.at("sum").value.items.at(0).number, 8, 1e-14);
-  EXPECT_NEAR(found.at("sum").value.items.at(1).number, 5, 1e-14);
-  EXPECT_NEAR(found.at("off").value.items.at(1).number, 4, 1e-14);
+  // On x and z, as they are written.
+  EXPECT_NEAR(found.at("sum").value.items.at(0).number, 5, 1e-14);
+  EXPECT_NEAR(found.at("sum").value.items.at(1).number, 8, 1e-14);
+  EXPECT_NEAR(found.at("off").value.items.at(0).number, 4, 1e-14);
   EXPECT_NEAR(found.at("two").value.items.at(0).number, 4, 1e-14);
   EXPECT_NEAR(found.at("two").value.items.at(1).number, 13, 1e-14);
   EXPECT_TRUE(found.at("holds").value.truth);
+}
+
+// Whichever axis angles are counted from, a file's own numbers come back in the order in which it wrote them.
+TEST(PlanarStatement, TellsComponentsInTheOrderInWhichTheyAreWritten) {
+  for (const char* axes : {"[x, y]", "[y, x]", "[y, z]", "[z, y]", "[z, x]", "[x, z]"}) {
+    const auto found = answers("title: t\nplane: " + std::string(axes) +
+                               "\npoints: {A: [3 m, 4 m]}\nbodies: {p: {particle: A, mass: 2 kg}}\ngravity: none\n"
+                               "facts: {velocity(p): [5 m/s, 6 m/s]}\nask: {A: center(p), v: velocity(p)}\n");
+    for (const auto& [name, first] : {std::pair{"A", 3.0}, std::pair{"v", 5.0}}) {
+      ASSERT_EQ(found.at(name).value.items.size(), 2U) << axes;
+      EXPECT_EQ(found.at(name).value.items[0].number, first) << axes;
+      EXPECT_EQ(found.at(name).value.items[1].number, first + 1) << axes;
+      EXPECT_LT(found.at(name).component_names[0], found.at(name).component_names[1]) << axes;
+    }
+  }
+}
+
+// A vector to be found has the two components that everything in the plane has.
+TEST(PlanarStatement, SeeksVectorsInThePlane) {
+  const std::string rest =
+      "points: {O: [0, 0], A: [2 m, 0]}\nbodies: {bar: {rod: [O, A], mass: 3 kg}, p: {particle: O, mass: 2 kg}}\n"
+      "impulses: {caught: {body: bar, at: O, value: J}}\ngravity: none\ninstants: {before: {velocity(bar): [u, v], "
+      "angular_velocity(bar): 0}, after: {velocity(O of bar): [0, 0]}}\n"
+      "ask: {J: J, x: J.x, size: norm(J), w: angular_velocity(bar)}\n";
+  const auto found = answers("title: t\nplane: [x, y]\ngiven: {u: 1 m/s, v: 4 m/s}\nfind: {J: {vector: N*s}}\n" + rest);
+  // About the end 3/4 of the momentum across the bar is left.
+  EXPECT_NEAR(found.at("J").value.items.at(0).number, -3, 1e-12);
+  EXPECT_NEAR(found.at("J").value.items.at(1).number, -3, 1e-12);
+  EXPECT_NEAR(found.at("x").value.number, -3, 1e-12);
+  EXPECT_NEAR(found.at("size").value.number, 3 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(found.at("w").value.number, 3, 1e-12);
+  EXPECT_EQ(found.at("J").unit.text, "N*s");
+  const auto letters = answers("title: t\nplane: [x, y]\nletters: {u: m/s, v: m/s}\nfind: {J: {vector: N*s}}\n" + rest);
+  ASSERT_TRUE(letters.at("J").formula);
+  EXPECT_EQ(letters.at("w").formula->number, Formula::letter("v", Sign::positive) * Formula(3) / Formula(4));
+}
+
+// A load that hangs in the loop of a cord, as on a pulley without mass, turns about the normal alone.
+TEST(PlanarStatement, HoldsAParticleRoundWhichACordGoes) {
+  const auto found = answers(
+      "title: t\nplane: [x, y]\npoints: {A: [-1 m, 3 m], B: [1 m, 3 m], L: [0, 0]}\n"
+      "bodies: {load: {particle: L, mass: 2 kg}, hook: {particle: B, mass: 1 kg}}\njoints: {nail: {weld: B, to: "
+      "hook}}\n"
+      "cords: {rope: {from: ground, at: A, over: [{load: {at: L, radius: 1 m, side: -x, smooth: true}}], to: hook, "
+      "end: B}}\ngravity: -y\nfacts: {velocity(load): [0, 0]}\nask: {T: tension(rope)}\n");
+  EXPECT_NEAR(found.at("T").value.number, 2 * 9.80665 / 2, 1e-11);
 }
 
 // What moves in a plane keeps disks parallel: they roll on each other as circles do.

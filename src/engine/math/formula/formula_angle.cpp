@@ -1,6 +1,8 @@
 // Sines, cosines and their inverses. An angle is a sum of rational multiples of products of letters, of pi and of 1
 // rad; with t = tan(a/2) of each, sines and cosines are rational functions.
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -100,16 +102,25 @@ Pair of_term(const Formula& unit, const Ratio& multiple) {
   return of_generator(Kind::tangent, unit, multiple);
 }
 
-// k pi/12 with -6 <= k <= 6 whose value of a function is x, for numbers x.
-std::optional<Formula> known_angle(const Formula& x, const std::function<Formula(const Pair&)>& function) {
+// k pi/12 with -6 <= k <= 6 whose value of a function is x, for numbers x. Doubles that are far apart tell most of them
+// from x, without the roots of which their values are made.
+std::optional<Formula> known_angle(const Formula& x, const std::function<Formula(const Pair&)>& function,
+                                   double (*in_doubles)(double)) {
   if (!x.is_number()) return std::nullopt;
+  constexpr double far_apart = 1e-6;  // of 1 and of x: ten thousand million times the rounding of both
+  const double number = plain(x);
   for (int k = -5; k <= 6; ++k) {
+    const double apart = std::abs(in_doubles(k * std::numbers::pi / 12) - number);
+    if (apart > far_apart * (1 + std::abs(number))) continue;
     const Pair pair = of_pi(lowest(k, 12));
     if (k == 6 && pair.cosine.is_zero() && !(x == Formula(1))) continue;
     if (function(pair) == x) return k * Formula::pi() / 12;
   }
   return std::nullopt;
 }
+
+Formula sine_of(const Pair& pair) { return pair.sine; }
+Formula tangent_of(const Pair& pair) { return pair.cosine.is_zero() ? Formula() : pair.sine / pair.cosine; }
 
 Formula of_inverse_function(const std::string& name, const Formula& x) {
   return assuming_alike(generator_formula(inverse_generator(name, x, Formula())), x);
@@ -197,13 +208,13 @@ Formula asin(const Formula& x) {
   if (x.is_zero()) return x;
   symbolic::require_sine(x, "asin");
   if (symbolic::leads_with_minus(x)) return -asin(-x);
-  if (const auto angle = symbolic::known_angle(x, [](const auto& pair) { return pair.sine; })) return *angle;
+  if (const auto angle = symbolic::known_angle(x, symbolic::sine_of, std::sin)) return *angle;
   return symbolic::of_inverse_function("asin", x);
 }
 
 Formula acos(const Formula& x) {
   symbolic::require_sine(x, "acos");
-  if (const auto angle = symbolic::known_angle(x, [](const auto& pair) { return pair.sine; })) {
+  if (const auto angle = symbolic::known_angle(x, symbolic::sine_of, std::sin)) {
     return Formula::pi() / 2 - *angle;
   }
   if (x == Formula(-1)) return Formula::pi();
@@ -214,8 +225,7 @@ Formula acos(const Formula& x) {
 Formula atan(const Formula& x) {
   if (x.is_zero()) return x;
   if (symbolic::leads_with_minus(x)) return -atan(-x);
-  const auto tangent = [](const auto& pair) { return pair.cosine.is_zero() ? Formula() : pair.sine / pair.cosine; };
-  if (const auto angle = symbolic::known_angle(x, tangent)) return *angle;
+  if (const auto angle = symbolic::known_angle(x, symbolic::tangent_of, std::tan)) return *angle;
   return symbolic::of_inverse_function("atan", x);
 }
 

@@ -315,6 +315,14 @@ DecidedSizesScope::DecidedSizesScope(bool decided) : outer_(symbolic::sizes_are_
 }
 DecidedSizesScope::~DecidedSizesScope() { symbolic::sizes_are_decided = outer_; }
 
+Formula with_known_signs(const Formula& x, const std::function<int(const Formula& argument)>& sign_of) {
+  return symbolic::replaced(x, [&](const symbolic::GeneratorPointer& g) -> std::unique_ptr<symbolic::Replacement> {
+    const int sign = g->kind == symbolic::Kind::sign ? sign_of(g->argument) : 0;
+    if (sign == 0) return nullptr;
+    return std::make_unique<symbolic::Replacement>(symbolic::Replacement{Formula(sign), Formula(1)});
+  });
+}
+
 Formula sqrt(const Formula& x) {
   using namespace symbolic;
   if (x.is_zero()) return x;

@@ -180,12 +180,15 @@ class BackwardDifferentiation final : public StepMethod {
     });
   }
   // The method's norm is a root mean square; ours is the largest component. Backward differences gather errors of one
-  // sign over many steps: a tenth of what is allowed for each.
-  static int weights(N_Vector, N_Vector weight, void* user) {
+  // sign over many steps: a tenth of what is allowed for each, but no less than the rounding of the sums that make a
+  // step, as of an angle that has gone round many times beside what has died out.
+  static int weights(N_Vector y, N_Vector weight, void* user) {
     return guarded(user, [&](BackwardDifferentiation& self) {
+      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       const std::span<const double> allowed = self.scale_.allowed();
       const double strictness = 10.0 * std::sqrt(static_cast<double>(self.n_));
-      for (std::size_t i = 0; i < self.n_; ++i) values(weight)[i] = strictness / allowed[i];
+      for (std::size_t i = 0; i < self.n_; ++i)
+        values(weight)[i] = std::min(strictness / allowed[i], 1.0 / (rounding * std::fabs(values(y)[i])));
       return 0;
     });
   }

@@ -5,6 +5,8 @@
 // pose only, in which the sign is known by numbers, takes the size that it has there.
 #pragma once
 
+#include <functional>
+
 #include "poinsot/engine/math/formula/formula.h"
 
 namespace poinsot {
@@ -21,5 +23,8 @@ class DecidedSizesScope {
  private:
   bool outer_;
 };
+
+// x with the signs in it that are known by their arguments: 1, -1, or 0 of one that stays.
+Formula with_known_signs(const Formula& x, const std::function<int(const Formula& argument)>& sign_of);
 
 }  // namespace poinsot
