@@ -157,6 +157,11 @@ def answers_elsewhere(solution, letters):
     return {name for text, name in told if name and name not in several and not holds_at(text, letters)}
 
 
+def is_untold(answer):
+    """Whether an answer waits for values of letters."""
+    return "value" in answer and answer["value"] is None and not answer.keys() & {"formula", "formulas", "refused"}
+
+
 def digits_told(solution, name):
     """How far the numbers of a law that was found by trials may be off, as its note says."""
     for note in solution.get("notes", []):
@@ -174,6 +179,9 @@ def difference(first, second, letters, varied):
     if len(ones) != len(first["solutions"]) or len(twos) != len(second["solutions"]):
         return None
     if len(ones) != len(twos):
+        # Of solutions that tell nothing without values of letters it is not known at which of these they hold.
+        if any(all(map(is_untold, solution["answers"].values())) for solution in ones + twos):
+            return None
         return "solutions", f"{len(ones)} solutions become {len(twos)}"
     left = list(range(len(twos)))
     for one in ones:
