@@ -209,7 +209,7 @@ bool RootsElsewhere::stands_beside(const Solution& solution) const {
          });
 }
 
-// A search passes over roots now and then.
+// Asked of the conditions themselves, since a search passes over a root now and then.
 bool RootsElsewhere::holds_at(const Solution& solution, const Settings& there) const {
   const AllSettings root =
       with_unknowns(AllSettings(statement_.situations.size(), there), solution.unknowns, letters_in(there, letters_));

@@ -112,7 +112,7 @@ void judge_numbers(Verdict& verdict, const Situation& situation, SolvedInstant& 
            "compare it with something");
     const Call* call = expression.as<Call>();
     if (!truth.truth && call && call->function == "stable" &&
-        value(stability_of(*call, expression)).text != "unstable") {
+        value(with_function(*call, expression, "stability")).text != "unstable") {
       verdict.close = true;
       verdict.at_end = false;
     } else {

@@ -290,7 +290,9 @@ class Course : public FollowedMotion {
   [[noreturn]] void comes_to_end(std::size_t stage, const ContactLimit& limit);
   [[noreturn]] void throw_slip(const StageRun& run) const;
   std::optional<solve::Scales> own_scales(const When& begins) const;
-  void measure_by_what_is_stated(std::vector<FactMisfit>& misfits) const;
+  std::vector<double> ways_of(const std::vector<const Fact*>& facts, const MotionFeatureValues& features, double time,
+                              const std::vector<FactMisfit>& misfits);
+  void measure_by_what_is_stated(std::vector<FactMisfit>& misfits, const std::vector<double>& ways) const;
   void set_pace(const MotionState& state);
   void follow_less_closely(Course& coarse) const;
   void tell_how(const ExtremeFound& found, const Call& call);

@@ -68,21 +68,42 @@ std::vector<FactMisfit> Course::fact_misfits(double time, const std::vector<cons
   const MotionFeatureValues features = features_in(sides, std::nullopt);
   move_probe(at(time));
   std::vector<FactMisfit> misfits = probe_->fact_misfits(facts, features);
-  if (!start_->scales().has_length) measure_by_what_is_stated(misfits);
+  if (!start_->scales().has_length) measure_by_what_is_stated(misfits, ways_of(facts, features, time, misfits));
   return misfits;
+}
+
+// How far the numbers of facts have gone until then, as far as a look halfway tells; zeros where they had no value.
+std::vector<double> Course::ways_of(const std::vector<const Fact*>& facts, const MotionFeatureValues& features,
+                                    double time, const std::vector<FactMisfit>& misfits) {
+  std::vector<double> ways(misfits.size(), 0.0);
+  try {
+    move_probe(at(0));
+    const std::vector<FactMisfit> begun = probe_->fact_misfits(facts, features);
+    move_probe(at(time / 2));
+    const std::vector<FactMisfit> halfway = probe_->fact_misfits(facts, features);
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      ways[i] = std::abs(halfway[i].found - begun[i].found) + std::abs(misfits[i].found - halfway[i].found);
+  } catch (const StatementError&) {
+    // A direction of what stands still has none.
+  }
+  return ways;
 }
 
 // Particles in one place have no length. The way on which what pushes them changes their motion, by which it is
 // followed, grows beyond all bounds with unknowns that let them fly on, and a place that they miss would be near. So a
 // number is measured by what is stated of it, and zero by the largest that is stated beside it or by the metre.
-void Course::measure_by_what_is_stated(std::vector<FactMisfit>& misfits) const {
+void Course::measure_by_what_is_stated(std::vector<FactMisfit>& misfits, const std::vector<double>& ways) const {
+  // Of the way that a number went: a smaller one is met to rounding alone.
+  constexpr double least = 1e-5;
   solve::Scales scales = start_->scales();
   scales.length = 1;
-  for (FactMisfit& misfit : misfits) {
+  for (std::size_t i = 0; i < misfits.size(); ++i) {
+    FactMisfit& misfit = misfits[i];
     double unit = std::abs(misfit.stated);
     for (const FactMisfit& other : misfits)
       if (misfit.stated == 0 && other.dimension == misfit.dimension) unit = std::max(unit, std::abs(other.stated));
     if (unit == 0) unit = natural_unit(scales, misfit.dimension);
+    unit = std::max(unit, least * ways[i]);
     misfit.value = (misfit.found - misfit.stated) / unit;
     misfit.size = std::max(1.0, std::abs(misfit.found) / unit);
   }

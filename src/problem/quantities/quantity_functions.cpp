@@ -318,8 +318,8 @@ std::vector<MotionFeatureCall> motion_features_in(const Situation& situation, co
   return found;
 }
 
-Expression stability_of(Call call, const Expression& expression, const std::string& quantity) {
-  call.function = quantity;
+Expression with_function(Call call, const Expression& expression, const std::string& function) {
+  call.function = function;
   return built(std::move(call), expression.mark());
 }
 

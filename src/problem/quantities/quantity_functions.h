@@ -74,7 +74,7 @@ bool asks_stability(const Expression& expression);
 // Whether an expression asks for forces or accelerations, at any instant or over the motion.
 bool asks_forces(const Situation& situation, const Expression& expression);
 
-// The expression stability(X) for a call stable(X), or another quantity of the motion near a steady one.
-Expression stability_of(Call call, const Expression& expression, const std::string& quantity = "stability");
+// The expression stability(X) for a call stable(X), or of another function of the same arguments.
+Expression with_function(Call call, const Expression& expression, const std::string& function);
 
 }  // namespace poinsot::problem

@@ -172,7 +172,7 @@ bool ExtremumSearch::conditions_hold_in(Sample& sample) {
     failed_ = &condition;
     const Call* call = condition.as<Call>();
     doubtful_ = doubtful_ || (call && call->function == "stable" &&
-                              sample.value_in(home, stability_of(*call, condition)).text != "unstable");
+                              sample.value_in(home, with_function(*call, condition, "stability")).text != "unstable");
     return false;
   }
   return true;
@@ -203,8 +203,8 @@ std::optional<NearMotion> ExtremumSearch::near_motion(const Expression& stable, 
   const std::size_t home = situation_of(statement_, ask_);
   Sample sample(statement_, roots.front(), choice_);
   const Call& call = *stable.as<Call>();
-  NearMotion motion{sample.value_in(home, stability_of(call, stable, "growth_rate")).number, {}};
-  for (const Value<double>& frequency : sample.value_in(home, stability_of(call, stable, "frequencies")).items)
+  NearMotion motion{sample.value_in(home, with_function(call, stable, "growth_rate")).number, {}};
+  for (const Value<double>& frequency : sample.value_in(home, with_function(call, stable, "frequencies")).items)
     motion.frequencies.push_back(frequency.number);
   return motion;
 } catch (const StatementError&) {

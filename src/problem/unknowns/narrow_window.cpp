@@ -39,10 +39,10 @@ std::optional<double> ExtremumSearch::margin_of(const Expression& condition, Sam
   if (call && call->function == "sticking") return sample.instant(sample.start_of(home)).least_margin_at_rest();
   if (holds_here) return beyond_all;
   if (call && call->function == "touching")
-    return sample.value_in(home, stability_of(*call, condition, "normal_force")).number;
-  if (call && call->function == "taut") return sample.value_in(home, stability_of(*call, condition, "tension")).number;
+    return sample.value_in(home, with_function(*call, condition, "normal_force")).number;
+  if (call && call->function == "taut") return sample.value_in(home, with_function(*call, condition, "tension")).number;
   if (call && call->function == "stable")
-    return -sample.value_in(home, stability_of(*call, condition, "growth_rate")).number;
+    return -sample.value_in(home, with_function(*call, condition, "growth_rate")).number;
   return std::nullopt;
 }
 

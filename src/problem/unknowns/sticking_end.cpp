@@ -36,7 +36,9 @@ std::optional<double> sticking_end(const std::function<std::optional<double>(dou
   constexpr double together = 2e-15;
   for (int i = 0; i < most && std::abs(off - value_on) > together * std::abs(value_on); ++i) {
     const double between = value_on + (off - value_on) * weight_on / (weight_on - margin_off);
-    if (between == value_on || between == off) break;
+    if (between == value_on) break;
+    // The end lies there but for the rounding of the margin.
+    if (between == off) return off;
     const std::optional<double> found = margin(between);
     if (!found) return std::nullopt;
     if (*found >= 0) {

@@ -57,26 +57,6 @@ TEST(FrictionLimits, of_one_contact_are_found_whatever_the_others_do) {
   EXPECT_NEAR(most(0.7, 0.1, "top", "sticking(mid)"), (0.7 - 0.1) * all * m / M, 1e-8 * all);
 }
 
-// On a slippery slope a block is held by loads between W (sin b - mu cos b) and W (sin b + mu cos b) alone, less apart
-// than values that are tried in decades.
-TEST(FrictionLimits, of_what_holds_on_a_small_part_of_all_loads_alone) {
-  constexpr double W = 500, b = M_PI / 6;
-  for (const double mu : {0.1, 0.01, 1e-4})
-    for (const char* given : {"given: {W: 500 N}\nletters: {P: N}\n", "given: {W: 500 N, P: 30 N}\n"}) {
-      const SolvedStatement found =
-          solved(std::string(given) +
-                 "points: {C: [0, 0, 0]}\ndirections: {out: ['sin(30 deg)', 'cos(30 deg)', 0]}\n"
-                 "bodies: {block: {particle: C, weight: W}}\ncontacts: {slope: {of: block, at: C, normal: out, "
-                 "friction: " +
-                 fmt::format("{:.17g}", mu) +
-                 "}}\nloads: {hold: {force: P, along: ['-cos(30 deg)', 'sin(30 deg)', 0], body: block}}\ngravity: -y\n"
-                 "instants: {now: rest}\n"
-                 "ask: {most: {largest: P, while: sticking(slope)}, least: {smallest: P, while: sticking(slope)}}\n");
-      EXPECT_NEAR(number(found.solutions.at(0), 0), W * (std::sin(b) + mu * std::cos(b)), 1e-7 * W) << mu << given;
-      EXPECT_NEAR(number(found.solutions.at(0), 1), W * (std::sin(b) - mu * std::cos(b)), 1e-7 * W) << mu << given;
-    }
-}
-
 // What makes no sense where the block lifts off is no reason, as it slides.
 TEST(FrictionLimits, unknowns_that_no_state_has_are_said_not_to_be_found) {
   const std::string said = refusal(

@@ -27,6 +27,20 @@ TEST(LaterFacts, TheGravityInWhichAThrownParticleComesToAPlace) {
   }
 }
 
+// A place that is next to nothing beside the way there is met to rounding. So it is where it is found out that it
+// holds.
+TEST(LaterFacts, PlacesThatAreSmallBesideTheWay) {
+  for (const char* Y : {"1e-6 m", "1e-8 m", "1e-12 m", "-1e-7 m"}) {
+    const std::string facts = std::string("start: {velocity(b): [0, 5 m/s, 0]}, 2 s: {center(b).y: ") + Y + "}";
+    const SolvedText solved(thrown("find: {a: m/s^2}\n", "[0, -a, 0]", facts, "a: a"));
+    EXPECT_NEAR(solved.number("a"), 5, 1e-6) << Y;
+  }
+  const SolvedText known(thrown("", "[0, -4.99999995 m/s^2, 0]",
+                                "start: {velocity(b): [0, 5 m/s, 0]}, 2 s: {center(b).y: 1e-7 m}",
+                                "h: center(b).y @ 1 s"));
+  EXPECT_NEAR(known.number("h"), 2.500000025, 1e-12);
+}
+
 TEST(LaterFacts, TheVelocityWithWhichAParticleWasThrown) {
   const SolvedText solved(thrown("find: {u: m/s, v: m/s}\n", "[0, -10 m/s^2, 0]",
                                  "start: {velocity(b): [u, v, 0]}, 2 s: {center(b).x: 8 m, center(b).y: -1 m}",

@@ -11,20 +11,24 @@ namespace narrow_window_test {
 
 using std::numbers::pi;
 
-// What is asked for needs a force between W (sin b - mu cos b) and W (sin b + mu cos b).
+// A block needs a force between W (sin b - mu cos b) and W (sin b + mu cos b), whatever it has by itself.
 TEST(NarrowWindow, ForcesThatHoldABlockOnASteepSlope) {
-  for (const double mu : {0.05, 1e-3, 1e-5})
-    for (const double degrees : {15.0, 30.0, 71.0}) {
-      const double W = 500, b = degrees * pi / 180;
-      const SolvedText solved(
-          "title: t\nplane: [x, y]\ngiven: {W: 500 N, mu: " + std::to_string(mu) + ", b: " + std::to_string(degrees) +
-          " deg}\nletters: {P: N}\npoints: {C: [0, 0]}\nbodies: {block: {particle: C, weight: W}}\n"
-          "contacts: {slope: {of: block, at: C, normal: '[sin(b), cos(b)]', friction: mu}}\n"
-          "loads: {hold: {force: P, along: '[-cos(b), sin(b)]', body: block}}\ngravity: -y\ninstants: {now: rest}\n"
-          "ask: {least: {smallest: P, while: sticking(slope)}, most: {largest: P, while: sticking(slope)}}\n");
-      EXPECT_NEAR(solved.number("least"), W * (std::sin(b) - mu * std::cos(b)), 1e-8 * W) << mu << " " << degrees;
-      EXPECT_NEAR(solved.number("most"), W * (std::sin(b) + mu * std::cos(b)), 1e-8 * W) << mu << " " << degrees;
-    }
+  constexpr double W = 500;
+  for (const double mu : {0.1, 0.05, 1e-3, 1e-5})
+    for (const double degrees : {15.0, 30.0, 71.0})
+      for (const bool open : {true, false}) {
+        const double b = degrees * pi / 180;
+        const SolvedText solved(
+            "title: t\ngiven: {W: 500 N, mu: " + std::to_string(mu) + ", b: " + std::to_string(degrees) +
+            (open ? " deg}\nletters: {P: N}\n" : " deg, P: 30 N}\n") +
+            "points: {C: [0, 0, 0]}\nbodies: {block: {particle: C, weight: W}}\n"
+            "contacts: {slope: {of: block, at: C, normal: '[sin(b), cos(b), 0]', friction: mu}}\n"
+            "loads: {hold: {force: P, along: '[-cos(b), sin(b), 0]', body: block}}\ngravity: -y\ninstants: {now: "
+            "rest}\n"
+            "ask: {least: {smallest: P, while: sticking(slope)}, most: {largest: P, while: sticking(slope)}}\n");
+        EXPECT_NEAR(solved.number("least"), W * (std::sin(b) - mu * std::cos(b)), 1e-11 * W) << mu << " " << degrees;
+        EXPECT_NEAR(solved.number("most"), W * (std::sin(b) + mu * std::cos(b)), 1e-11 * W) << mu << " " << degrees;
+      }
 }
 
 TEST(NarrowWindow, ForcesThatHoldALoadOnARopeRoundAPost) {
